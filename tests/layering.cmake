@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: Apache-2.0
+# Fails when a folder of src/ includes against the arrows of the house, or a third-party header outside the folders it
+# belongs to. Run as: cmake -DSOURCE_DIR=.../src -P layering.cmake
+
+cmake_minimum_required(VERSION 3.24)
+
+# Folder and the folders it may include from, itself aside.
+set(may_math "")
+set(may_optics math)
+set(may_crystal math)
+set(may_image math)
+set(may_trace crystal optics image math)
+set(may_recon image math)
+set(may_scene trace recon crystal optics image math)
+set(may_cli scene trace recon crystal optics image math)
+set(may_main cli scene)
+
+# Third-party header (a regular expression of the start of its name) and the folders in which it may appear.
+set(third_party
+  "glm/|math,optics,crystal,image,trace,recon"
+  "sleef\\.h|math"
+  "embree[34]/|trace"
+  "tbb/|trace,recon"
+  "Imf|image"
+  "Iex|image"
+  "Imath|image"
+  "OpenEXR/|image"
+  "png\\.h|image"
+  "toml\\+\\+/|scene"
+  "nlohmann/|scene,cli"
+  "CLI/|cli")
+
+set(problems "")
+file(GLOB_RECURSE sources RELATIVE ${SOURCE_DIR} ${SOURCE_DIR}/*.h ${SOURCE_DIR}/*.cpp)
+list(LENGTH sources count)
+if(count LESS 20)
+  message(FATAL_ERROR "found only ${count} source files in ${SOURCE_DIR}")
+endif()
+
+foreach(source IN LISTS sources)
+  if(source STREQUAL "main.cpp")
+    set(folder main)
+  else()
+    string(REGEX REPLACE "/.*" "" folder ${source})
+  endif()
+  if(NOT DEFINED may_${folder})
+    string(APPEND problems "${source}: folder ${folder} is not part of the house\n")
+    continue()
+  endif()
+
+  file(STRINGS ${SOURCE_DIR}/${source} includes REGEX "^ *#include")
+  foreach(include IN LISTS includes)
+    if(include MATCHES "#include \"([^/\"]+)/")
+      set(target ${CMAKE_MATCH_1})
+      if(NOT target STREQUAL folder AND NOT target IN_LIST may_${folder})
+        string(APPEND problems "${source}: ${folder} may not include from ${target}\n")
+      endif()
+    elseif(include MATCHES "#include <([^>]+)>")
+      set(header ${CMAKE_MATCH_1})
+      foreach(rule IN LISTS third_party)
+        string(REGEX REPLACE "\\|.*" "" pattern ${rule})
+        string(REGEX REPLACE ".*\\|" "" folders ${rule})
+        string(REPLACE "," ";" folders ${folders})
+        if(header MATCHES "^${pattern}" AND NOT folder IN_LIST folders)
+          string(APPEND problems "${source}: <${header}> belongs in ${folders}\n")
+        endif()
+      endforeach()
+    endif()
+  endforeach()
+endforeach()
+
+if(problems)
+  message(FATAL_ERROR "\n${problems}")
+endif()
+message(STATUS "${count} files keep to the house")
