@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <variant>
+#include <vector>
+
+#include "math/conventions.h"
+
+namespace parhelion {
+
+/// The continuous visible sun, as the 1931 observer sees it.
+struct ContinuousSpectrum {
+  enum class Source { extraterrestrial, airMass1_5, equal } source = Source::extraterrestrial;
+};
+
+/// One wavelength: luminance only, no colour.
+struct MonochromaticSpectrum {
+  double wavelength = 550.0;  // nm
+};
+
+/// Spectral lines of equal energy, coloured by the 1931 observer.
+struct LineSpectrum {
+  std::vector<double> wavelengths;  // nm
+};
+
+using SpectrumSettings = std::variant<ContinuousSpectrum, MonochromaticSpectrum, LineSpectrum>;
+
+struct SunSettings {
+  double elevation = radians(20.0);  // rad, above the horizon, [-pi/2, pi/2]
+  double diameter = radians(0.533);  // rad, across the disc; 0 is a point sun
+  SpectrumSettings spectrum = ContinuousSpectrum{};
+  bool visible = false;  // draw the undeviated light into the image
+};
+
+/// Warren & Brandt's table of the refractive index of ice.
+struct TabulatedIce {};
+
+/// One index at every wavelength.
+struct ConstantIce {
+  double index = 1.31;
+};
+
+using IceSettings = std::variant<TabulatedIce, ConstantIce>;
+
+}  // namespace parhelion

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "optics/spectrum.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include "optics/tables.h"
+
+namespace parhelion {
+
+namespace {
+
+/// Linear Rec.709 of an XYZ colour (IEC 61966-2-1); here only to say how much a wavelength matters to the picture.
+Vec3 rec709(const Vec3& xyz) {
+  return {3.2406 * xyz.x - 1.5372 * xyz.y - 0.4986 * xyz.z, -0.9689 * xyz.x + 1.8758 * xyz.y + 0.0415 * xyz.z,
+          0.0557 * xyz.x - 0.2040 * xyz.y + 1.0570 * xyz.z};
+}
+
+double sunlight(ContinuousSpectrum::Source source, int node) {
+  switch (source) {
+    case ContinuousSpectrum::Source::extraterrestrial:
+      return kSunExtraterrestrial[node];
+    case ContinuousSpectrum::Source::airMass1_5:
+      return kSunAirMass1_5[node];
+    case ContinuousSpectrum::Source::equal:
+      return 1.0;
+  }
+  return 0.0;
+}
+
+template <class Table>
+auto interpolate(const Table& table, double wavelength) {
+  const double x = std::clamp(wavelength - kVisibleFirst, 0.0, double(kVisibleNodes - 1));
+  const int node = std::min(static_cast<int>(x), kVisibleNodes - 2);
+  return table[node] + (x - node) * (table[node + 1] - table[node]);
+}
+
+}  // namespace
+
+Vec3 observer1931(double wavelength) {
+  if (wavelength < kVisibleFirst || wavelength > kVisibleLast) return Vec3(0.0);
+  return interpolate(kObserver1931, wavelength);
+}
+
+Spectrum::Spectrum(const SpectrumSettings& settings) {
+  if (const auto* continuous = std::get_if<ContinuousSpectrum>(&settings))
+    buildContinuous(*continuous);
+  else if (const auto* line = std::get_if<MonochromaticSpectrum>(&settings))
+    lines_ = {{line->wavelength, Vec3(1.0), 1.0}};
+  else
+    buildLines(std::get<LineSpectrum>(settings).wavelengths);
+}
+
+void Spectrum::buildContinuous(const ContinuousSpectrum& settings) {
+  // The trapezoidal rule over the nodes is exact for the linear pieces that sample() interpolates.
+  Vec3 total(0.0);
+  for (int i = 0; i < kVisibleNodes; ++i) {
+    lightPerNm_.push_back(sunlight(settings.source, i) * kObserver1931[i]);
+    total += (i == 0 || i == kVisibleNodes - 1 ? 0.5 : 1.0) * lightPerNm_.back();
+  }
+  for (Vec3& light : lightPerNm_) light /= total.y;
+  white_ = total / total.y;
+  density_ =
+      std::make_unique<TabulatedDensity>([this](double w) { return glm::length(rec709(interpolate(lightPerNm_, w))); },
+                                         kVisibleFirst, kVisibleLast, kVisibleNodes - 1);
+}
+
+void Spectrum::buildLines(const std::vector<double>& wavelengths) {
+  Vec3 total(0.0);
+  for (const double w : wavelengths) total += observer1931(w) / double(wavelengths.size());
+  for (const double w : wavelengths) lines_.push_back({w, observer1931(w) / total.y, 1.0});
+  white_ = lines_.size() == 1 ? Vec3(1.0) : total / total.y;
+  if (lines_.size() == 1) lines_.front().xyz = Vec3(1.0);
+}
+
+SpectralSample Spectrum::sample(double u) const {
+  if (!lines_.empty()) return lines_[std::min(lines_.size() - 1, static_cast<std::size_t>(u * lines_.size()))];
+  const double wavelength = density_->sample(u);
+  const Vec3 xyz = interpolate(lightPerNm_, wavelength) / density_->density(wavelength);
+  return {wavelength, xyz, xyz.y};
+}
+
+}  // namespace parhelion

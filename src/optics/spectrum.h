@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "math/tabulated_density.h"
+#include "optics/light_settings.h"
+
+namespace parhelion {
+
+/// One wavelength drawn from a spectrum, with the colour that a ray of unit light carries.
+struct SpectralSample {
+  double wavelength = 550.0;  // nm
+  Vec3 xyz{1.0};              // CIE XYZ; the mean over the spectrum is Spectrum::white(), whose Y is 1
+  double light = 1.0;         // what the ray counts for in sums of light without colour; its mean is 1
+};
+
+/// The light of the sun as a density to draw wavelengths from.
+///
+/// Continuous light is drawn in proportion to sunlight times the length of the observer's response in linear Rec.709,
+/// which gives the picture's channels the least summed variance; `light` is then luminance. Lines carry equal energy
+/// and `light` is 1 for each of them.
+class Spectrum {
+ public:
+  explicit Spectrum(const SpectrumSettings& settings);
+
+  /// The wavelength at quantile `u` in [0, 1), with its weights.
+  SpectralSample sample(double u) const;
+
+  /// XYZ of all the light together, Y = 1.
+  const Vec3& white() const { return white_; }
+
+  /// 1 for monochromatic light, which has luminance only; else 3.
+  int colours() const { return lines_.size() == 1 ? 1 : 3; }
+
+  /// Wavelengths (nm) when the spectrum is a list of lines; empty for continuous light.
+  const std::vector<SpectralSample>& lines() const { return lines_; }
+
+ private:
+  void buildContinuous(const ContinuousSpectrum& settings);
+  void buildLines(const std::vector<double>& wavelengths);
+
+  std::vector<SpectralSample> lines_;
+  std::unique_ptr<const TabulatedDensity> density_;
+  std::vector<Vec3> lightPerNm_;  // XYZ of the light at each node, normalised to unit luminance
+  Vec3 white_{1.0};
+};
+
+/// The 1931 observer's response to `wavelength` (nm), linear between the nanometres; 0 outside 360-830 nm.
+Vec3 observer1931(double wavelength);
+
+}  // namespace parhelion

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+
+#include "math/conventions.h"
+
+namespace parhelion {
+
+// Measured tables, one entry a nanometre from 360 to 830 nm.
+inline constexpr int kVisibleFirst = 360;  // nm
+inline constexpr int kVisibleLast = 830;   // nm
+inline constexpr int kVisibleNodes = kVisibleLast - kVisibleFirst + 1;
+
+/// CIE 1931 2-degree standard observer: x-bar, y-bar, z-bar. CIE 018, as tabulated by CVRL.
+extern const std::array<Vec3, kVisibleNodes> kObserver1931;
+
+/// Sunlight above the atmosphere, W m^-2 nm^-1. ASTM G173-03.
+extern const std::array<double, kVisibleNodes> kSunExtraterrestrial;
+
+/// Direct and circumsolar sunlight at the ground under air mass 1.5, W m^-2 nm^-1. ASTM G173-03.
+extern const std::array<double, kVisibleNodes> kSunAirMass1_5;
+
+struct IceNode {
+  double wavelength;  // nm
+  double index;
+};
+
+/// Real refractive index of ice Ih at 266 K. Warren & Brandt 2008, J. Geophys. Res. 113, D14220.
+extern const std::array<IceNode, 48> kIceIndex;
+
+}  // namespace parhelion
