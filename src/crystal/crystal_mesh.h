@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "math/conventions.h"
+
+namespace parhelion {
+
+/// The most faces a crystal may have: each is one bit of the intersectors' 32-bit masks.
+inline constexpr int kMaxFaces = 32;
+
+/// A planar, convex face. Lengths in units of the mesh, normals pointing out of the crystal.
+struct Face {
+  int number;                 // crystallographic (conventions.h)
+  std::vector<int> vertices;  // counter-clockwise seen from outside
+  Vec3 normal;                // unit
+  double offset;              // normal . point, for points of the face
+  double area;
+};
+
+struct FaceOutline {
+  int number;
+  std::vector<int> vertices;
+};
+
+/// A closed polyhedron in the crystal's frame.
+class CrystalMesh {
+ public:
+  /// Throws std::invalid_argument when a face is not planar, not convex or has no area, when the surface is not closed
+  /// (each edge shared by two faces that run along it in opposite directions), is turned inside out, or has too many
+  /// faces.
+  CrystalMesh(std::vector<Vec3> vertices, const std::vector<FaceOutline>& outlines);
+
+  const std::vector<Vec3>& vertices() const { return vertices_; }
+  const std::vector<Face>& faces() const { return faces_; }
+  double surface() const { return surface_; }
+  double volume() const { return volume_; }
+
+  /// True when no vertex lies outside any face's plane.
+  bool isConvex() const { return convex_; }
+
+  /// True when every face is parallel or perpendicular to c, so that stretching the crystal along c keeps all normals.
+  bool isPrismatic() const { return prismatic_; }
+
+  /// Largest distance of a vertex from the origin.
+  double radius() const { return radius_; }
+
+ private:
+  Face makeFace(const FaceOutline& outline) const;
+  void checkClosed() const;
+
+  std::vector<Vec3> vertices_;
+  std::vector<Face> faces_;
+  double surface_ = 0.0, volume_ = 0.0, radius_ = 0.0;
+  bool convex_ = true, prismatic_ = true;
+};
+
+}  // namespace parhelion

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "crystal/population.h"
+
+#include <stdexcept>
+
+#include "crystal/shapes.h"
+
+namespace parhelion {
+
+namespace {
+
+AngleDistribution widen(const AspectDistribution& aspect) {
+  return std::visit([](const auto& d) -> AngleDistribution { return d; }, aspect);
+}
+
+}  // namespace
+
+Population::Population(const PopulationSettings& settings)
+    : name_(settings.name), weight_(settings.weight), orientation_(settings.orientation) {
+  if (!(weight_ >= 0.0)) throw std::invalid_argument("a population's weight must not be negative");
+  if (const auto* pyramid = std::get_if<PyramidSettings>(&settings.shape)) {
+    mesh_ = std::make_shared<CrystalMesh>(hexagonalPyramid(*pyramid));
+    return;
+  }
+  const auto& aspect = std::get<PrismSettings>(settings.shape).aspect;
+  const auto* fixed = std::get_if<FixedValue>(&aspect);
+  mesh_ = std::make_shared<CrystalMesh>(hexagonalPrism(fixed ? fixed->value : 1.0));
+  if (!fixed) aspect_.emplace(widen(aspect), ValueSampler::Measure::linear, kThinnestAspect, kLongestAspect);
+}
+
+Crystal Population::crystal(double u) const { return {mesh_.get(), aspect_ ? aspect_->sample(u) : 1.0}; }
+
+}  // namespace parhelion
