@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// Sums of light as exact integers. Integer addition is associative, so any number of threads and any order of merging
+// give the same bits, and a bin never stalls as a float does at 2^24.
+
+#include <cstdint>
+
+namespace parhelion {
+
+/// Units per unit of light, the light one ray brings on average. Rounding a deposit is off by at most 2^-29 of it.
+/// At most kMaxRays = 3e10 rays (trace/trace_settings.h) make 8.1e18 < 2^63 = 9.2e18 even if all fall into one bin.
+inline constexpr double kWeightScale = 0x1p28;
+
+/// Units per squared unit of light. Coarser, because one wavelength a ray makes the mean square of its luminance as
+/// large as 2.7 (the 1931 observer over an equal spectrum): 3e10 rays may bring a mean square of 4.5.
+inline constexpr double kSquareScale = 0x1p26;
+
+/// `light * scale` rounded to the nearest integer; the product must be below 2^63 in magnitude.
+inline std::int64_t toFixed(double light, double scale = kWeightScale) {
+  const double units = light * scale;
+  return static_cast<std::int64_t>(units + (units < 0.0 ? -0.5 : 0.5));  // the cast cuts toward zero
+}
+
+inline double fromFixed(std::int64_t sum, double scale = kWeightScale) { return static_cast<double>(sum) / scale; }
+
+}  // namespace parhelion
