@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "trace/cloud.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include <glm/matrix.hpp>
+
+#include "math/random.h"
+#include "optics/ice.h"
+
+namespace parhelion {
+
+namespace {
+
+/// Quantile of ray `index` for its wavelength: the golden ratio's multiples fill [0, 1) evenly over any run of
+/// consecutive rays, in integers so that no digits are lost at high indices.
+double wavelengthQuantile(std::uint64_t seed, std::uint64_t index) {
+  constexpr std::uint64_t kGolden = 0x9E3779B97F4A7C15;  // 2^64 / golden ratio
+  const auto start =
+      philox4x32({0, 0, 0, 0}, {static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32)});
+  return toUnitInterval((std::uint64_t{start[1]} << 32 | start[0]) + index * kGolden);
+}
+
+}  // namespace
+
+Cloud::Cloud(const SunSettings& sun, const IceSettings& ice, std::span<const PopulationSettings> populations)
+    : sun_(sun), spectrum_(sun.spectrum), ice_(ice), populations_(populations.begin(), populations.end()) {
+  // Any bound gives the right distribution; one that the pilot sample never exceeds wastes few proposals and leaves
+  // nearly all rays with weight 1.
+  constexpr int kPilot = 4096;
+  double total = 0.0;
+  for (int p = 0; p < static_cast<int>(populations_.size()); ++p) {
+    double bound = 0.0;
+    for (int i = 0; i < kPilot; ++i) {
+      RandomStream random(static_cast<std::uint64_t>(p), i, RandomPurpose::pilot);
+      bound = std::max(bound, propose(p, random).interception);
+    }
+    bound_.push_back(bound);
+    total += populations_[p].weight() * bound;
+    cumulative_.push_back(total);
+  }
+  if (!(total > 0.0)) throw std::invalid_argument("no population has any weight");
+  for (double& c : cumulative_) c /= total;
+}
+
+template <class Random>
+Cloud::Proposal Cloud::propose(int population, Random& random) const {
+  const Population& kind = populations_[population];
+  Proposal p;
+  p.population = population;
+  const double u1 = random.next(), u2 = random.next(), u3 = random.next();
+  p.crystalToWorld = kind.orientation(u1, u2, u3);
+  p.crystal = kind.crystal(random.next());
+  p.lightDirWorld = -sun_.toCentre();
+  if (!sun_.isPoint()) {
+    const double v1 = random.next(), v2 = random.next();
+    p.lightDirWorld = -sun_.toPoint(v1, v2);
+  }
+  p.lightDirCrystal = glm::transpose(p.crystalToWorld) * p.lightDirWorld;
+  p.area = projectedArea(p.crystal, p.lightDirCrystal);
+  p.interception = p.area / p.crystal.surface();
+  return p;
+}
+
+IncidentRay Cloud::incidentRay(std::uint64_t seed, std::uint64_t index) const {
+  RandomStream random(seed, index, RandomPurpose::incidence);
+  while (true) {
+    // Propose a population by weight * bound and a crystal of it, accept in proportion to interception / bound. Where
+    // the interception exceeds the bound the ray carries the excess as weight, so the result never depends on the
+    // bound.
+    const double u = random.next();
+    const auto chosen = std::upper_bound(cumulative_.begin(), cumulative_.end(), u);
+    const int population =
+        static_cast<int>(std::min(chosen - cumulative_.begin(), std::ptrdiff_t(cumulative_.size()) - 1));
+    const Proposal p = propose(population, random);
+    const double ratio = p.interception / bound_[population];
+    if (random.next() >= ratio) continue;
+
+    IncidentRay ray;
+    ray.index = index;
+    ray.population = population;
+    ray.crystal = p.crystal;
+    ray.crystalToWorld = p.crystalToWorld;
+    ray.lightDirWorld = p.lightDirWorld;
+    ray.lightDirCrystal = p.lightDirCrystal;
+    ray.projectedArea = p.area;
+    const double v1 = random.next(), v2 = random.next(), v3 = random.next();
+    ray.entry = sampleEntry(p.crystal, p.lightDirCrystal, v1, v2, v3);
+    ray.light = spectrum_.sample(wavelengthQuantile(seed, index));
+    ray.iceIndex = refractiveIndex(ice_, ray.light.wavelength);
+    ray.weight = std::max(1.0, ratio);
+    return ray;
+  }
+}
+
+}  // namespace parhelion

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "trace/embree_intersector.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "trace/embree_api.h"
+
+namespace parhelion {
+
+// Embree calls back from C: the callbacks only record, and check() throws afterwards.
+struct EmbreeDevice::State {
+  RTCDevice device = nullptr;
+  std::size_t memoryLimit = 0;
+  std::atomic<long long> memory{0};
+  std::string error;
+
+  ~State() {
+    if (device) rtcReleaseDevice(device);
+  }
+
+  static void recordError(void* self, RTCError code, const char* message) {
+    auto& error = static_cast<State*>(self)->error;
+    if (!error.empty()) return;
+    error = code == RTC_ERROR_OUT_OF_MEMORY ? "out of memory" : "error " + std::to_string(code);
+    if (message && *message) error += std::string(" (") + message + ")";
+  }
+
+  static bool watchMemory(void* self, ssize_t bytes, bool) {
+    auto& state = *static_cast<State*>(self);
+    const long long total = state.memory += bytes;
+    return bytes <= 0 || state.memoryLimit == 0 || total <= static_cast<long long>(state.memoryLimit);
+  }
+
+  void check(const char* doing) {
+    if (error.empty()) return;
+    throw std::runtime_error(std::string("Embree failed while ") + doing + ": " + std::exchange(error, {}));
+  }
+};
+
+EmbreeDevice::EmbreeDevice(const std::string& config, std::size_t memoryLimit) : state_(std::make_shared<State>()) {
+  state_->memoryLimit = memoryLimit;
+  state_->device = rtcNewDevice(config.c_str());
+  if (!state_->device)
+    throw std::runtime_error("Embree could not create a device (error " + std::to_string(rtcGetDeviceError(nullptr)) +
+                             ")");
+  rtcSetDeviceErrorFunction(state_->device, State::recordError, state_.get());
+  rtcSetDeviceMemoryMonitorFunction(state_->device, State::watchMemory, state_.get());
+}
+
+namespace {
+
+using GeometryPtr = std::unique_ptr<RTCGeometryTy, decltype(&rtcReleaseGeometry)>;
+
+/// A convex polygon as a fan of quads; an odd triangle at the end becomes a quad with its last corner doubled.
+std::vector<unsigned> quadFan(unsigned corners) {
+  std::vector<unsigned> quads;
+  for (unsigned i = 1; i + 1 < corners; i += 2) quads.insert(quads.end(), {0u, i, i + 1, std::min(i + 2, corners - 1)});
+  return quads;
+}
+
+/// Returns false when Embree has no memory for the buffers.
+bool addFace(RTCDevice device, RTCScene scene, const CrystalMesh& mesh, int face, const Vec3& toUnit) {
+  const auto& ring = mesh.faces()[face].vertices;
+  GeometryPtr geometry(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_QUAD), rtcReleaseGeometry);
+  if (!geometry) return false;
+
+  auto* corners = static_cast<float*>(rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0,
+                                                              RTC_FORMAT_FLOAT3, 3 * sizeof(float), ring.size()));
+  const auto fan = quadFan(static_cast<unsigned>(ring.size()));
+  auto* indices = static_cast<unsigned*>(rtcSetNewGeometryBuffer(
+      geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT4, 4 * sizeof(unsigned), fan.size() / 4));
+  if (!corners || !indices) return false;
+  for (std::size_t i = 0; i < ring.size(); ++i)
+    for (int axis = 0; axis < 3; ++axis)
+      corners[3 * i + axis] = static_cast<float>(mesh.vertices()[ring[i]][axis] * toUnit[axis]);
+  std::copy(fan.begin(), fan.end(), indices);
+
+  rtcSetGeometryMask(geometry.get(), 1u << face);
+  rtcCommitGeometry(geometry.get());
+  rtcAttachGeometryByID(scene, geometry.get(), static_cast<unsigned>(face));
+  return true;
+}
+
+}  // namespace
+
+EmbreeIntersector::EmbreeIntersector(const EmbreeDevice& device, const CrystalMesh& mesh, EmbreeMode mode)
+    : device_(device.state()) {
+  if (!mesh.isConvex()) throw std::invalid_argument("the crystal must be convex");
+  Vec3 extent(0.0);
+  for (const Vec3& v : mesh.vertices()) extent = glm::max(extent, glm::abs(v));
+  toUnit_ = 1.0 / extent;
+
+  scene_ = {rtcNewScene(device_->device), [owner = device_](RTCScene scene) { rtcReleaseScene(scene); }};
+  device_->check("making a scene");
+  rtcSetSceneFlags(scene_.get(), mode == EmbreeMode::robust ? RTC_SCENE_FLAG_ROBUST : RTC_SCENE_FLAG_NONE);
+  rtcSetSceneBuildQuality(scene_.get(), RTC_BUILD_QUALITY_HIGH);
+  for (int face = 0; face < static_cast<int>(mesh.faces().size()); ++face)
+    if (!addFace(device_->device, scene_.get(), mesh, face, toUnit_)) break;
+  device_->check("loading a crystal");
+  rtcCommitScene(scene_.get());
+  device_->check("building a crystal");
+}
+
+std::optional<FaceHit> EmbreeIntersector::nextFace(const Crystal& crystal, const Vec3& point, const Vec3& lightDir,
+                                                   int leftFace) const {
+  // An affine map keeps the ray parameter: the ray is taken to the unit crystal instead of the crystal to the ray.
+  const Vec3 scale(toUnit_.x, toUnit_.y, toUnit_.z / crystal.stretch);
+  const glm::vec3 origin(point * scale), direction(lightDir * scale);
+  RTCRayHit query;
+  query.ray.org_x = origin.x;
+  query.ray.org_y = origin.y;
+  query.ray.org_z = origin.z;
+  query.ray.dir_x = direction.x;
+  query.ray.dir_y = direction.y;
+  query.ray.dir_z = direction.z;
+  query.ray.tnear = 0.0f;
+  query.ray.tfar = std::numeric_limits<float>::infinity();
+  query.ray.time = 0.0f;
+  query.ray.mask = leftFace == kNoFace ? ~0u : ~(1u << leftFace);
+  query.ray.id = 0;
+  query.ray.flags = 0;
+  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+  intersectClosest(scene_.get(), query);
+
+  if (query.hit.geomID != RTC_INVALID_GEOMETRY_ID) {
+    const int face = static_cast<int>(query.hit.geomID);
+    const Vec3& normal = crystal.mesh->faces()[face].normal;
+    const double approach = glm::dot(normal, lightDir);
+    // In single precision a ray along an edge may meet a face from outside; such a hit is no way out.
+    if (approach > 0.0)
+      return FaceHit{face, std::max(0.0, (crystal.offset(face) - glm::dot(normal, point)) / approach), false};
+  }
+  auto hit = nextFaceByPlanes(crystal, point, lightDir, leftFace);
+  if (hit) hit->rescued = true;
+  return hit;
+}
+
+}  // namespace parhelion

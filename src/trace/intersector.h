@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+#include "crystal/crystal.h"
+
+namespace parhelion {
+
+/// Where a ray inside a crystal meets its surface.
+struct FaceHit {
+  int face;         // index into the mesh's faces
+  double distance;  // along the ray's direction, >= 0, crystal units
+  bool rescued;     // the engine found no face and the planes decided instead
+};
+
+inline constexpr int kNoFace = -1;
+
+/// The next face of a convex crystal met from inside by the ray (`point`, `lightDir`: unit, crystal frame), by distance
+/// to the faces' planes in double precision. `leftFace`, the face the ray starts on, is left out by index. Empty only
+/// when `lightDir` is not finite.
+std::optional<FaceHit> nextFaceByPlanes(const Crystal& crystal, const Vec3& point, const Vec3& lightDir, int leftFace);
+
+}  // namespace parhelion

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "trace/cloud.h"
+#include "trace/engine.h"
+#include "trace/trace_settings.h"
+
+namespace parhelion {
+
+/// Light that leaves a crystal.
+struct Exit {
+  Vec3 lightDirWorld;  // unit
+  double energy;       // share of the ray's unit of intercepted light
+  int order;           // 0: reflected at the outside; k: left at internal encounter k
+  bool undeviated;     // goes on as if there were no crystal, through parallel faces
+};
+
+/// One meeting of a path with a face, for replay. Directions are unit vectors in the crystal's frame.
+struct Encounter {
+  int faceNumber;  // crystallographic
+  Vec3 point;      // crystal frame, crystal units
+  double energyLeaving, energyStaying;
+  Vec3 leavingDir;  // of the light that leaves here; meaningless where none does
+  Vec3 stayingDir;  // of the light that goes on inside; meaningless where none does
+  int order;
+};
+
+/// One incident ray and all that it becomes. Reused from ray to ray so that its buffers are allocated once.
+struct LightPath {
+  IncidentRay incident;
+  std::vector<Exit> exits;
+  std::vector<Encounter> encounters;  // only where recordEncounters is set
+  bool recordEncounters = false;
+
+  double internalPath = 0.0;  // energy-weighted length inside the crystal, crystal units
+  double cutOff = 0.0;        // energy still inside when the walk was given up
+  double lost = 0.0;          // energy of paths that found no next face
+  int hits = 0;               // ray-face encounters, the entry included
+  int rescued = 0;            // encounters the engine missed and the planes decided
+};
+
+/// Follows ray `index` of the sequence `seed` through its crystal until all its light has left; a pure function of its
+/// arguments. `engine` belongs to the ray's population. Incident energy equals the exits' plus cutOff plus lost.
+void followRay(const Cloud& cloud, const Engines& engines, const TraceSettings& settings, std::uint64_t index,
+               LightPath& path);
+
+}  // namespace parhelion

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+
+#include "trace/light_path.h"
+
+namespace parhelion {
+
+/// Something that adds up light paths. Sums are exact integers, so the order of adding and merging leaves no trace.
+class PathTally {
+ public:
+  virtual ~PathTally() = default;
+
+  virtual void add(const LightPath& path) = 0;
+
+  /// An empty tally of the same kind for one thread, to be given to merge() in the end.
+  virtual std::unique_ptr<PathTally> forThread() = 0;
+
+  /// Takes over what a tally made by forThread() has added up.
+  virtual void merge(const PathTally& fromThread) = 0;
+};
+
+}  // namespace parhelion

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "image/fixed_point.h"
+
+namespace parhelion {
+
+/// What one ray adds to numbered bins. Light of one ray that falls into one bin more than once belongs together:
+/// errors come from the scatter between rays.
+class RayDeposits {
+ public:
+  struct Deposit {
+    int bin;
+    double light;
+  };
+
+  void clear() { deposits_.clear(); }
+  void add(int bin, double light) {
+    for (Deposit& d : deposits_)
+      if (d.bin == bin) {
+        d.light += light;
+        return;
+      }
+    deposits_.push_back({bin, light});
+  }
+  const std::vector<Deposit>& all() const { return deposits_; }
+
+ private:
+  std::vector<Deposit> deposits_;
+};
+
+/// Exact sums of light and of squared light per ray, for any number of bins.
+class RayBins {
+ public:
+  explicit RayBins(int bins) : sums_(bins), squares_(bins) {}
+
+  int size() const { return static_cast<int>(sums_.size()); }
+  void add(const RayDeposits& ray);
+  void merge(const RayBins& other);
+
+  /// Light in a bin, in the units of RayDeposits.
+  double light(int bin) const { return fromFixed(sums_[bin]); }
+
+  /// Standard error of light(bin) when `rays` rays were traced in all.
+  double error(int bin, std::uint64_t rays) const;
+
+ private:
+  std::vector<std::int64_t> sums_, squares_;
+};
+
+}  // namespace parhelion

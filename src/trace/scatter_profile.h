@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "math/exact_sum.h"
+#include "trace/path_tally.h"
+#include "trace/ray_bins.h"
+
+namespace parhelion {
+
+/// Light over the scattering angle, the angle from the direction of the unscattered light, and the quantities of single
+/// scattering that follow from it. Lengths in units of the hexagon's side.
+class ScatterProfile : public PathTally {
+ public:
+  /// `bins` equal bins over [from, to] (rad, within [0, pi]); light outside them counts for the summary only.
+  ScatterProfile(int bins, double from, double to);
+
+  void add(const LightPath& path) override;
+  std::unique_ptr<PathTally> forThread() override;
+  void merge(const PathTally& fromThread) override;
+
+  struct Bin {
+    double from, to;  // rad
+    double energy;    // share of all intercepted light
+    double error;     // its standard error
+    double phase;     // 4 pi energy / solid angle of the bin
+  };
+  std::vector<Bin> bins() const;
+
+  struct Summary {
+    std::uint64_t rays;
+    double g, gError;                           // mean cosine of the scattering angle, and its standard error
+    double undeviated;                          // share that goes on as if there were no crystal
+    double external;                            // share reflected at the outside
+    std::vector<double> byOrder;                // share leaving at internal encounter k; 0 is external
+    double meanPath;                            // energy-weighted internal path per intercepted ray
+    double volume, surface, meanProjectedArea;  // of the mean crystal of the cloud
+    double cutOff, lost;                        // shares
+  };
+  Summary summary() const;
+
+ private:
+  double from_, width_;
+  RayBins bins_;
+  RayDeposits deposits_;
+
+  std::uint64_t rays_ = 0;
+  ExactSum intercepted_, undeviated_, cosine_, cosineSquared_, path_, cutOff_, lost_;
+  ExactSum perArea_, surfacePerArea_, volumePerArea_;  // sums over rays of 1 / A, S / A, V / A; A the projected area
+  std::vector<ExactSum> byOrder_;
+};
+
+}  // namespace parhelion

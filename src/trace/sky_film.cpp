@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "trace/sky_film.h"
+
+namespace parhelion {
+
+void SkyFilm::add(const LightPath& path) {
+  const SpectralSample& light = path.incident.light;
+  intercepted_ += toFixed(path.incident.weight * light.light);
+  deposits_.clear();
+  for (const Exit& exit : path.exits) {
+    if (exit.undeviated)
+      undeviated_ += toFixed(exit.energy * light.light);
+    else if (const auto pixel = camera_.pixelAt(-exit.lightDirWorld))
+      deposits_.add(*pixel, exit.energy);
+  }
+  const bool firstHalf = path.incident.index % 2 == 0;
+  for (const auto& [pixel, energy] : deposits_.all()) tally_.add(pixel, energy * light.xyz, firstHalf);
+}
+
+void SkyFilm::merge(const PathTally& fromThread) {
+  const auto& other = dynamic_cast<const SkyFilm&>(fromThread);
+  tally_.info.intercepted += other.intercepted_;
+  tally_.info.undeviated += other.undeviated_;
+}
+
+}  // namespace parhelion

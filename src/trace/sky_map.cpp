@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "trace/sky_map.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "math/rotation.h"
+
+namespace parhelion {
+
+SkyMap::SkyMap(const Vec3& toSun, int binsPerHalfTurn)
+    : toSun_(toSun), binsPerHalfTurn_(binsPerHalfTurn), bins_(columns() * rows()) {}
+
+int SkyMap::binAt(const Vec3& toSky) const {
+  const SkyPoint sky = skyPoint(toSky);
+  const double perRadian = binsPerHalfTurn_ / kPi;
+  const int column = static_cast<int>(std::floor(sky.azimuth * perRadian + 0.5)) + binsPerHalfTurn_;
+  const int row = static_cast<int>(std::floor(sky.elevation * perRadian + 0.5)) + binsPerHalfTurn_ / 2;
+  return std::clamp(row, 0, rows() - 1) * columns() + column % columns();
+}
+
+void SkyMap::add(const LightPath& path) {
+  deposits_.clear();
+  for (const Exit& exit : path.exits)
+    deposits_.add(binAt(exit.undeviated ? toSun_ : -exit.lightDirWorld), exit.energy * path.incident.light.light);
+  bins_.add(deposits_);
+  ++rays_;
+  intercepted_.add(path.incident.weight * path.incident.light.light);
+}
+
+std::unique_ptr<PathTally> SkyMap::forThread() { return std::make_unique<SkyMap>(toSun_, binsPerHalfTurn_); }
+
+void SkyMap::merge(const PathTally& fromThread) {
+  const auto& other = dynamic_cast<const SkyMap&>(fromThread);
+  bins_.merge(other.bins_);
+  rays_ += other.rays_;
+  intercepted_.merge(other.intercepted_);
+}
+
+double SkyMap::azimuth(int column) const { return (column - binsPerHalfTurn_) * (kPi / binsPerHalfTurn_); }
+
+double SkyMap::elevation(int row) const { return (row - binsPerHalfTurn_ / 2) * (kPi / binsPerHalfTurn_); }
+
+double SkyMap::energy(int column, int row) const {
+  return rays_ > 0 ? bins_.light(row * columns() + column) / intercepted_.value() : 0.0;
+}
+
+double SkyMap::error(int column, int row) const {
+  return rays_ > 0 ? bins_.error(row * columns() + column, rays_) / intercepted_.value() : 0.0;
+}
+
+}  // namespace parhelion

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "math/exact_sum.h"
+#include "trace/path_tally.h"
+#include "trace/ray_bins.h"
+
+namespace parhelion {
+
+/// Light over a grid of azimuth and elevation that covers the whole sphere. Bins are centred on multiples of the step:
+/// azimuth from -180 degrees up to below 180, elevation from -90 to 90, the rows at the poles being half as high.
+/// The undeviated light is in the bin of the sun's centre.
+class SkyMap : public PathTally {
+ public:
+  /// `binsPerHalfTurn` columns make 180 degrees: 180 for steps of one degree.
+  SkyMap(const Vec3& toSun, int binsPerHalfTurn);
+
+  void add(const LightPath& path) override;
+  std::unique_ptr<PathTally> forThread() override;
+  void merge(const PathTally& fromThread) override;
+
+  int columns() const { return 2 * binsPerHalfTurn_; }
+  int rows() const { return binsPerHalfTurn_ + 1; }
+  double azimuth(int column) const;  // rad, of a column's centre
+  double elevation(int row) const;   // rad, of a row's centre
+
+  /// Share of all intercepted light in a bin, and its standard error.
+  double energy(int column, int row) const;
+  double error(int column, int row) const;
+
+ private:
+  int binAt(const Vec3& toSky) const;
+
+  Vec3 toSun_;
+  int binsPerHalfTurn_;
+  RayBins bins_;
+  RayDeposits deposits_;
+  std::uint64_t rays_ = 0;
+  ExactSum intercepted_;
+};
+
+}  // namespace parhelion

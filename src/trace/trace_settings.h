@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+
+namespace parhelion {
+
+enum class Engine { embree, embreeRobust };
+
+/// What happens to light at a face: follow one branch picked by chance, or deposit what leaves and follow the rest.
+enum class PathMode { split, chance };
+
+struct TraceSettings {
+  std::uint64_t rays = 10'000'000;  // incident rays, all wavelengths together
+  std::uint64_t seed = 1;
+  Engine engine = Engine::embree;
+  PathMode path = PathMode::split;
+};
+
+/// Fixed-point tallies hold this many rays without overflow even if all their light falls into one bin (fixed_point.h).
+inline constexpr std::uint64_t kMaxRays = 30'000'000'000;
+
+}  // namespace parhelion
