@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/describe.h"
+
+#include "scene/names.h"
+#include "scene/range.h"
+
+namespace parhelion {
+
+namespace {
+
+template <class... F>
+struct Overloaded : F... {
+  using F::operator()...;
+};
+
+/// How a distribution's numbers are shown: as they are, or radians as degrees.
+using Show = std::string (*)(double);
+std::string plain(double value) { return formatNumber(value); }
+std::string inDegrees(double angle) { return formatNumber(degrees(angle)) + "°"; }
+
+template <class Distribution>
+std::string describe(const Distribution& distribution, Show show) {
+  return std::visit(Overloaded{
+                        [&](const FixedValue& d) { return show(d.value); },
+                        [&](const UniformRange& d) { return show(d.from) + " to " + show(d.to); },
+                        [&](const Normal& d) { return show(d.mean) + ", normal, sigma " + show(d.sigma); },
+                        [&](const PolarNormal& d) { return show(d.mean) + ", polar-normal, sigma " + show(d.sigma); },
+                        [&](const Arcsine& d) { return show(d.mean) + ", arcsine, amplitude " + show(d.amplitude); },
+                        [&](const Laplace& d) { return show(d.mean) + ", laplace, scale " + show(d.scale); },
+                    },
+                    distribution);
+}
+
+/// The same for an azimuth or a roll, which may take every value.
+std::string describeTurn(const AngleDistribution& turn) {
+  const auto* range = std::get_if<UniformRange>(&turn);
+  const bool isFree = range && range->to - range->from >= 2.0 * kPi;
+  return isFree ? "free" : describe(turn, inDegrees);
+}
+
+std::string describe(const OrientationSettings& orientation) {
+  return std::visit(Overloaded{
+                        [](const RandomOrientation&) { return std::string("random orientation"); },
+                        [](const AxisOrientation& o) {
+                          return "c axis at zenith angle " + describe(o.zenith, inDegrees) + "; azimuth " +
+                                 describeTurn(o.azimuth) + "; roll " + describeTurn(o.roll);
+                        },
+                        [](const LowitzOrientation& o) {
+                          return "lowitz axis at zenith angle " + describe(o.axisZenith, inDegrees) + "; spin " +
+                                 describeTurn(o.spin);
+                        },
+                    },
+                    orientation);
+}
+
+std::string describe(const ShapeSettings& shape) {
+  return std::visit(Overloaded{
+                        [](const PrismSettings& s) { return "prism, aspect " + describe(s.aspect, plain); },
+                        [](const PyramidSettings& s) {
+                          return "pyramid, aspect " + plain(s.aspect) + ", upper " + plain(s.upper) + ", lower " +
+                                 plain(s.lower) + ", slope " + inDegrees(s.slope);
+                        },
+                    },
+                    shape);
+}
+
+std::string describe(const SpectrumSettings& spectrum) {
+  return std::visit(Overloaded{
+                        [](const ContinuousSpectrum& s) { return "spectrum " + std::string(nameOf(s.source)); },
+                        [](const MonochromaticSpectrum& s) { return plain(s.wavelength) + " nm"; },
+                        [](const LineSpectrum& s) {
+                          std::string lines;
+                          for (const double nm : s.wavelengths) lines += (lines.empty() ? "" : ", ") + plain(nm);
+                          return lines + " nm";
+                        },
+                    },
+                    spectrum);
+}
+
+std::string describe(const SunSettings& sun) {
+  return "elevation " + inDegrees(sun.elevation) + ", diameter " + inDegrees(sun.diameter) + ", " +
+         describe(sun.spectrum) + (sun.visible ? ", drawn" : ", not drawn");
+}
+
+std::string describe(const IceSettings& ice) {
+  const auto* constant = std::get_if<ConstantIce>(&ice);
+  return constant ? "index " + plain(constant->index) : "index of Warren & Brandt 2008";
+}
+
+std::string describe(const CameraSettings& camera) {
+  constexpr const char* kAxes[] = {"horizontal", "vertical", "diagonal"};
+  return std::string(nameOf(camera.projection)) + " toward azimuth " + inDegrees(camera.azimuth) + ", elevation " +
+         inDegrees(camera.elevation) + ", roll " + inDegrees(camera.roll) + "; " + inDegrees(camera.fieldOfView) + ' ' +
+         kAxes[static_cast<int>(camera.fieldOfViewAxis)] + ", " + std::to_string(camera.width) + " x " +
+         std::to_string(camera.height) + " pixels";
+}
+
+std::string describe(const TraceSettings& trace) {
+  return std::to_string(trace.rays) + " rays, seed " + std::to_string(trace.seed) + ", engine " +
+         std::string(nameOf(trace.engine)) + ", path " + std::string(nameOf(trace.path));
+}
+
+std::string row(const std::string& title, const std::string& text) {
+  constexpr std::size_t kTitleWidth = 12;
+  const std::size_t gap = title.size() < kTitleWidth ? kTitleWidth - title.size() : 1;
+  return title + std::string(gap, ' ') + text + '\n';
+}
+
+}  // namespace
+
+std::string describeScene(const Scene& scene) {
+  double sum = 0.0;
+  for (const PopulationSettings& p : scene.populations) sum += p.weight;
+
+  std::string text = row("sun", describe(scene.sun)) + row("ice", describe(scene.ice));
+  for (const PopulationSettings& p : scene.populations) {
+    const std::string share = formatNumber(100.0 * p.weight / sum) + " % of the surface";
+    text += row("population", p.name + ": " + share + "; " + describe(p.shape) + "; " + describe(p.orientation));
+  }
+  text += row("camera", describe(scene.camera)) + row("trace", describe(scene.trace));
+  return text + row("recon", std::string(nameOf(scene.recon.method)));
+}
+
+}  // namespace parhelion

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/kinds.h"
+
+#include <algorithm>
+#include <set>
+#include <stdexcept>
+
+#include "scene/parse_scene.h"
+#include "scene/utf8.h"
+
+namespace parhelion {
+
+namespace {
+
+// Where the 1931 observer sees anything; the table of ice reaches further on both sides.
+constexpr Range kVisibleNanometres{360.0, 830.0};
+constexpr Range kIndexRange{1.0, 3.0, true};
+
+constexpr int kMaxSide = 65'536;              // pixels
+constexpr std::int64_t kMaxPixels = 1 << 28;  // an XYZ image in single precision of 3 GiB
+constexpr std::string_view kWarrenBrandt = "warren-brandt";
+
+std::optional<std::int64_t> integerIn(const toml::node* node, std::int64_t lo, std::int64_t hi) {
+  const auto value = node ? node->value_exact<std::int64_t>() : std::nullopt;
+  return value && *value >= lo && *value <= hi ? value : std::nullopt;
+}
+
+bool readWavelengths(const Value& in, const toml::array& list, SpectrumSettings& out) {
+  LineSpectrum lines;
+  std::set<double> seen;
+  bool good = true;
+  for (const toml::node& element : list) {
+    const Value line{element, in.key, in.complaints};
+    const auto wavelength = line.numberIn(kVisibleNanometres);
+    if (!wavelength) {
+      good = line.mustBe("a list of wavelengths " + kVisibleNanometres.text() + " nm here");
+    } else if (!seen.insert(*wavelength).second) {
+      good = line.reject("the wavelength " + formatNumber(*wavelength) + " nm is listed twice");
+    } else {
+      lines.wavelengths.push_back(*wavelength);
+    }
+  }
+  if (good) out = std::move(lines);
+  return good;
+}
+
+}  // namespace
+
+std::string listNames(const std::vector<std::string_view>& names) {
+  std::string list;
+  for (const std::string_view name : names) list += (list.empty() ? "\"" : ", \"") + std::string(name) + '"';
+  return list;
+}
+
+bool Flag::read(const Value& in, bool& out) const {
+  const auto value = in.node.value_exact<bool>();
+  if (!value) return in.mustBe("true or false");
+  out = *value;
+  return true;
+}
+
+bool Text::read(const Value& in, std::string& out) const {
+  const auto value = in.string();
+  // Names end up in tables, on terminals and as layers of images: nothing there that is not printable.
+  if (!value || value->empty() || printable(*value, kMaxLength) != *value) {
+    return in.mustBe("a string of 1 to " + std::to_string(kMaxLength) +
+                     " characters, none of them a control character");
+  }
+  out = *value;
+  return true;
+}
+
+bool Number::read(const Value& in, double& out) const {
+  const auto value = in.numberIn(range);
+  if (!value) return in.mustBe("a number " + range.text());
+  out = *value;
+  return true;
+}
+
+bool Angle::read(const Value& in, double& out) const {
+  const auto value = in.numberIn(degreesRange);
+  if (!value) return in.mustBe("a number " + degreesRange.text() + " degrees");
+  out = radians(*value);
+  return true;
+}
+
+bool Seed::read(const Value& in, std::uint64_t& out) const {
+  const auto value = integerIn(&in.node, 0, INT64_MAX);
+  if (!value) return in.mustBe("an integer, at least 0");
+  out = static_cast<std::uint64_t>(*value);
+  return true;
+}
+
+bool RayCount::read(const Value& in, std::uint64_t& out) const {
+  const auto number = in.node.value<double>();
+  try {
+    out = parseRayCount(in.isNumber() && number ? formatNumber(*number) : in.string().value_or(""));
+    return true;
+  } catch (const std::invalid_argument& e) {
+    return in.mustBe(e.what());
+  }
+}
+
+Json RayCount::schema() const {
+  const Json number = {{"type", "number"}, {"minimum", 1}, {"maximum", kMaxRays}, {"multipleOf", 1}};
+  const Json text = {{"type", "string"}, {"pattern", "^[0-9]+(\\.[0-9]*)?([eE]\\+?[0-9]+|[kKmMgG])?$"}};
+  return {{"anyOf", {number, text}}};
+}
+
+bool Resolution::read(const Value& in, std::array<int, 2>& out) const {
+  const toml::array* list = in.node.as_array();
+  const bool isPair = list && list->size() == 2;
+  const auto width = integerIn(isPair ? list->get(0) : nullptr, 1, kMaxSide);
+  const auto height = integerIn(isPair ? list->get(1) : nullptr, 1, kMaxSide);
+  if (!width || !height) {
+    return in.reject("'resolution' must be [width, height], integers from 1 to " + std::to_string(kMaxSide) +
+                     " pixels");
+  }
+  if (*width * *height > kMaxPixels) {
+    return in.reject("an image of " + std::to_string(*width * *height) + " pixels is too large; at most " +
+                     std::to_string(kMaxPixels));
+  }
+  out = {static_cast<int>(*width), static_cast<int>(*height)};
+  return true;
+}
+
+Json Resolution::schema() const {
+  const Json side = {{"type", "integer"}, {"minimum", 1}, {"maximum", kMaxSide}};
+  return {{"type", "array"}, {"items", side}, {"minItems", 2}, {"maxItems", 2}};
+}
+
+bool Spectrum::read(const Value& in, SpectrumSettings& out) const {
+  if (const auto source = enumeratorNamed<ContinuousSpectrum::Source>(in.string())) {
+    out = ContinuousSpectrum{*source};
+    return true;
+  }
+  if (const auto wavelength = in.numberIn(kVisibleNanometres)) {
+    out = MonochromaticSpectrum{*wavelength};
+    return true;
+  }
+  const toml::array* list = in.node.as_array();
+  if (list && !list->empty()) return readWavelengths(in, *list, out);
+  const auto names = acceptedNames<ContinuousSpectrum::Source>();
+  return in.mustBe(
+      "one of " + listNames(names) + ", a wavelength " + kVisibleNanometres.text() + " nm, or a list of wavelengths",
+      didYouMean(in.string().value_or(""), names));
+}
+
+Json Spectrum::schema() const {
+  const Json line = kVisibleNanometres.numberSchema();
+  const Json lines = {{"type", "array"}, {"items", line}, {"minItems", 1}, {"uniqueItems", true}};
+  return {{"anyOf", {Choice<ContinuousSpectrum::Source>{}.schema(), line, lines}}};
+}
+
+Json Spectrum::write(const SpectrumSettings& value) const {
+  if (const auto* line = std::get_if<MonochromaticSpectrum>(&value)) return line->wavelength;
+  if (const auto* lines = std::get_if<LineSpectrum>(&value)) return lines->wavelengths;
+  return nameOf(std::get<ContinuousSpectrum>(value).source);
+}
+
+bool IceIndex::read(const Value& in, IceSettings& out) const {
+  if (in.string() == kWarrenBrandt) {
+    out = TabulatedIce{};
+    return true;
+  }
+  const auto index = in.numberIn(kIndexRange);
+  if (!index) return in.mustBe("\"warren-brandt\" or a number " + kIndexRange.text());
+  out = ConstantIce{*index};
+  return true;
+}
+
+Json IceIndex::schema() const {
+  const Json name = {{"enum", {kWarrenBrandt}}};
+  return {{"anyOf", {name, kIndexRange.numberSchema()}}};
+}
+
+Json IceIndex::write(const IceSettings& value) const {
+  if (const auto* ice = std::get_if<ConstantIce>(&value)) return ice->index;
+  return kWarrenBrandt;
+}
+
+}  // namespace parhelion

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// The kinds of value a key can have. A kind says once what it accepts:
+//
+//   bool read(const Value&, T& out) const   fills `out`, or complains and returns false
+//   Json schema() const                     what it accepts, as JSON Schema
+//   Json write(const T&) const              a value as scene files write it, null for none; for the schema's defaults
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scene/names.h"
+#include "scene/suggest.h"
+#include "scene/value.h"
+
+namespace parhelion {
+
+struct Flag {
+  bool read(const Value& in, bool& out) const;
+  Json schema() const { return {{"type", "boolean"}}; }
+  Json write(bool value) const { return value; }
+};
+
+/// A short string for people: a name.
+struct Text {
+  static constexpr std::size_t kMaxLength = 100;  // code points
+
+  bool read(const Value& in, std::string& out) const;
+  Json schema() const { return {{"type", "string"}, {"minLength", 1}, {"maxLength", kMaxLength}}; }
+  Json write(const std::string& value) const { return value; }
+};
+
+/// A number without a unit.
+struct Number {
+  Range range;
+
+  bool read(const Value& in, double& out) const;
+  Json schema() const { return range.numberSchema(); }
+  Json write(double value) const { return value; }
+};
+
+/// Degrees in the file, radians in the settings.
+struct Angle {
+  Range degreesRange;
+
+  bool read(const Value& in, double& out) const;
+  Json schema() const { return degreesRange.numberSchema(); }
+  Json write(double value) const { return roundToTwelveDigits(degrees(value)); }
+};
+
+/// An integer from 0.
+struct Seed {
+  bool read(const Value& in, std::uint64_t& out) const;
+  Json schema() const { return {{"type", "integer"}, {"minimum", 0}}; }
+  Json write(std::uint64_t value) const { return value; }
+};
+
+/// A number or a string for parseRayCount().
+struct RayCount {
+  bool read(const Value& in, std::uint64_t& out) const;
+  Json schema() const;
+  Json write(std::uint64_t value) const { return value; }
+};
+
+/// [width, height] in pixels.
+struct Resolution {
+  bool read(const Value& in, std::array<int, 2>& out) const;
+  Json schema() const;
+  Json write(const std::array<int, 2>& value) const { return value; }
+};
+
+/// The name of a continuous spectrum, a wavelength, or a list of wavelengths.
+struct Spectrum {
+  bool read(const Value& in, SpectrumSettings& out) const;
+  Json schema() const;
+  Json write(const SpectrumSettings& value) const;
+};
+
+/// The name of the table, or a constant index.
+struct IceIndex {
+  bool read(const Value& in, IceSettings& out) const;
+  Json schema() const;
+  Json write(const IceSettings& value) const;
+};
+
+/// The names of an enumeration.
+template <class E>
+std::vector<std::string_view> acceptedNames() {
+  std::vector<std::string_view> names;
+  for (const auto& named : namesOf(E{})) names.push_back(named.name);
+  return names;
+}
+
+/// The names in quotation marks, with commas.
+std::string listNames(const std::vector<std::string_view>& names);
+
+/// The enumerator of this name, if it is one.
+template <class E>
+std::optional<E> enumeratorNamed(const std::optional<std::string>& name) {
+  for (const auto& named : namesOf(E{})) {
+    if (name && named.name == *name) return named.value;
+  }
+  return std::nullopt;
+}
+
+/// One of the names of an enumeration.
+template <class E>
+struct Choice {
+  bool read(const Value& in, E& out) const {
+    if (const auto chosen = enumeratorNamed<E>(in.string())) {
+      out = *chosen;
+      return true;
+    }
+    const auto names = acceptedNames<E>();
+    return in.mustBe("one of " + listNames(names), didYouMean(in.string().value_or(""), names));
+  }
+  Json schema() const { return {{"enum", acceptedNames<E>()}}; }
+  Json write(E value) const { return nameOf(value); }
+};
+
+/// A value that may be left out without a default of its own.
+template <class Kind>
+struct Optional {
+  Kind kind;
+
+  template <class T>
+  bool read(const Value& in, std::optional<T>& out) const {
+    T value{};
+    if (!kind.read(in, value)) return false;
+    out = value;
+    return true;
+  }
+  Json schema() const { return kind.schema(); }
+  template <class T>
+  Json write(const std::optional<T>& value) const {
+    return value ? kind.write(*value) : Json();
+  }
+};
+
+template <class Kind>
+Optional(Kind) -> Optional<Kind>;
+
+}  // namespace parhelion

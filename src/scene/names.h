@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// The words that scene files, statistics and summaries use for the values of enumerations.
+
+#include <array>
+#include <span>
+#include <string_view>
+
+#include "scene/scene.h"
+
+namespace parhelion {
+
+template <class E>
+struct Named {
+  std::string_view name;
+  E value;
+};
+
+/// The words of a [[population]] from which its shape and orientation follow.
+enum class ShapeName { prism, pyramid };
+enum class OrientationName { random, plate, column, parry, lowitz };
+
+inline constexpr auto kEngineNames = std::to_array<Named<Engine>>({
+    {"embree", Engine::embree},
+    {"embree-robust", Engine::embreeRobust},
+});
+inline constexpr auto kPathModeNames = std::to_array<Named<PathMode>>({
+    {"split", PathMode::split},
+    {"chance", PathMode::chance},
+});
+inline constexpr auto kReconMethodNames = std::to_array<Named<ReconMethod>>({
+    {"none", ReconMethod::none},
+    {"adaptive", ReconMethod::adaptive},
+});
+inline constexpr auto kProjectionNames = std::to_array<Named<Projection>>({
+    {"rectilinear", Projection::rectilinear},
+    {"fisheye-equal-area", Projection::fisheyeEqualArea},
+    {"fisheye-equidistant", Projection::fisheyeEquidistant},
+    {"fisheye-stereographic", Projection::fisheyeStereographic},
+    {"fisheye-orthographic", Projection::fisheyeOrthographic},
+    {"equirectangular", Projection::equirectangular},
+});
+inline constexpr auto kSpectrumNames = std::to_array<Named<ContinuousSpectrum::Source>>({
+    {"sun", ContinuousSpectrum::Source::extraterrestrial},
+    {"sun-am1.5", ContinuousSpectrum::Source::airMass1_5},
+    {"equal", ContinuousSpectrum::Source::equal},
+});
+inline constexpr auto kShapeNames = std::to_array<Named<ShapeName>>({
+    {"prism", ShapeName::prism},
+    {"pyramid", ShapeName::pyramid},
+});
+inline constexpr auto kOrientationNames = std::to_array<Named<OrientationName>>({
+    {"random", OrientationName::random},
+    {"plate", OrientationName::plate},
+    {"column", OrientationName::column},
+    {"parry", OrientationName::parry},
+    {"lowitz", OrientationName::lowitz},
+});
+
+/// All names of the enumeration that the argument belongs to.
+constexpr std::span<const Named<Engine>> namesOf(Engine) { return kEngineNames; }
+constexpr std::span<const Named<PathMode>> namesOf(PathMode) { return kPathModeNames; }
+constexpr std::span<const Named<ReconMethod>> namesOf(ReconMethod) { return kReconMethodNames; }
+constexpr std::span<const Named<Projection>> namesOf(Projection) { return kProjectionNames; }
+constexpr std::span<const Named<ContinuousSpectrum::Source>> namesOf(ContinuousSpectrum::Source) {
+  return kSpectrumNames;
+}
+constexpr std::span<const Named<ShapeName>> namesOf(ShapeName) { return kShapeNames; }
+constexpr std::span<const Named<OrientationName>> namesOf(OrientationName) { return kOrientationNames; }
+
+/// The word a scene file uses for `value`.
+template <class E>
+constexpr std::string_view nameOf(E value) {
+  for (const auto& [name, named] : namesOf(value)) {
+    if (named == value) return name;
+  }
+  return {};
+}
+
+}  // namespace parhelion

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/overrides.h"
+
+#include <algorithm>
+#include <charconv>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "scene/suggest.h"
+#include "scene/text_guard.h"
+#include "scene/utf8.h"
+#include "scene/value.h"
+
+namespace parhelion {
+
+namespace {
+
+// population.0.orientation.zenith.normal
+constexpr std::size_t kMaxSegments = 5;
+
+/// A part of the dotted path and where it is in the override.
+struct Segment {
+  std::string_view text;
+  toml::source_region source;
+};
+
+std::string_view trimmed(std::string_view text) {
+  while (text.starts_with(' ')) text.remove_prefix(1);
+  while (text.ends_with(' ')) text.remove_suffix(1);
+  return text;
+}
+
+std::string untabbed(std::string text) {
+  std::replace(text.begin(), text.end(), '\t', ' ');
+  return text;
+}
+
+/// Applies one override; keeps what is needed to say where something is wrong.
+class Override {
+ public:
+  Override(const std::string& text, Complaints& complaints)
+      : text_(text), complaints_(complaints), path_(std::make_shared<const std::string>("-D " + text)) {
+    complaints_.addText(*path_, text);
+  }
+
+  void applyTo(toml::table& scene) {
+    if (printable(text_, text_.size()) != untabbed(text_)) {
+      return complain(regionOf(0, text_.size()), "an override is one line of UTF-8 text without control characters");
+    }
+    const std::size_t equals = text_.find('=');
+    if (equals == std::string::npos) return complain(regionOf(0, text_.size()), "an override is key.path=value");
+    const std::vector<Segment> segments = split(equals);
+    for (const Segment& segment : segments) {
+      if (segment.text.empty()) return complain(segment.source, "a key is missing here; an override is key.path=value");
+    }
+    if (segments.size() > kMaxSegments) return complain(regionOf(0, equals), "no key of a scene lies so deep");
+
+    toml::node* parent = &scene;
+    for (std::size_t i = 0; parent && i + 1 < segments.size(); ++i) parent = descend(*parent, segments[i]);
+    if (parent) set(*parent, segments.back(), parseValue(equals));
+  }
+
+ private:
+  void complain(const toml::source_region& source, const std::string& message, const std::string& hint = "") {
+    complaints_.add(placeOf(source, complaints_), message, hint);
+  }
+
+  /// The bytes from `begin` to `end` as line 1 of the override.
+  toml::source_region regionOf(std::size_t begin, std::size_t end) const {
+    const auto column = [&](std::size_t byte) {
+      return static_cast<toml::source_index>(countCodePoints(std::string_view(text_).substr(0, byte)) + 1);
+    };
+    return {{1, column(begin)}, {1, column(end)}, path_};
+  }
+
+  std::vector<Segment> split(std::size_t equals) const {
+    std::vector<Segment> segments;
+    std::size_t begin = 0;
+    while (begin <= equals) {
+      const std::size_t end = std::min(text_.find('.', begin), equals);
+      segments.push_back({trimmed(std::string_view(text_).substr(begin, end - begin)), regionOf(begin, end)});
+      begin = end + 1;
+    }
+    return segments;
+  }
+
+  /// The value as a TOML document in which it has the same column as in the override.
+  toml::table parseValue(std::size_t equals) const {
+    const std::string margin = "v" + std::string(countCodePoints(text_.substr(0, equals)) - 1, ' ') + '=';
+    const std::string value = text_.substr(equals + 1);
+    try {
+      if (!findTextProblem(margin + value)) {
+        toml::table table = toml::parse(margin + value, *path_);
+        if (table.size() == 1 && table.contains("v")) return table;
+      }
+    } catch (const toml::parse_error&) {
+      // a bare string
+    }
+    std::string quoted;
+    for (const char c : value) quoted += c == '"' || c == '\\' ? std::string("\\") + c : std::string(1, c);
+    return toml::parse(margin + '"' + quoted + '"', *path_);
+  }
+
+  toml::node* descend(toml::node& parent, const Segment& segment) {
+    if (toml::array* list = parent.as_array()) return element(*list, segment);
+    toml::table* table = parent.as_table();
+    if (!table) {
+      complain(segment.source, "there is no '" + std::string(segment.text) + "' here: the scene has a plain value");
+      return nullptr;
+    }
+    if (!table->contains(segment.text)) table->insert(toml::key(segment.text, segment.source), toml::table{});
+    return table->get(segment.text);
+  }
+
+  /// An element of a list by its index or its name.
+  toml::node* element(toml::array& list, const Segment& segment) {
+    std::vector<std::string> names;
+    for (toml::node& node : list) {
+      const toml::table* table = node.as_table();
+      names.push_back(table ? (*table)["name"].value_or(std::string()) : std::string());
+      if (names.back() == segment.text) return &node;
+    }
+    std::size_t index = 0;
+    const char* const end = segment.text.data() + segment.text.size();
+    const auto parsed = std::from_chars(segment.text.data(), end, index);
+    if (parsed.ec == std::errc{} && parsed.ptr == end && index < list.size()) return &list[index];
+
+    const std::vector<std::string_view> views(names.begin(), names.end());
+    std::string hint = didYouMean(segment.text, views);
+    hint += (hint.empty() ? "" : " ") + std::string("accepted: an index from 0 to ") + std::to_string(list.size() - 1);
+    for (const std::string& name : names) hint += name.empty() ? "" : ", " + name;
+    complain(segment.source, "no element '" + std::string(segment.text) + "' in this list", hint);
+    return nullptr;
+  }
+
+  void set(toml::node& parent, const Segment& segment, toml::table value) {
+    // Moved, never copied: a copy of a node forgets its place.
+    std::move(*value.get("v")).visit([&](auto&& node) {
+      if (toml::table* table = parent.as_table()) {
+        table->insert_or_assign(toml::key(segment.text, segment.source), std::move(node));
+      } else if (toml::array* list = parent.as_array()) {
+        const toml::node* old = element(*list, segment);
+        for (auto at = list->cbegin(); old && at != list->cend(); ++at) {
+          if (&*at == old) return void(list->replace(at, std::move(node)));
+        }
+      } else {
+        complain(segment.source, "there is no '" + std::string(segment.text) + "' here: the scene has a plain value");
+      }
+    });
+  }
+
+  const std::string& text_;
+  Complaints& complaints_;
+  std::shared_ptr<const std::string> path_;
+};
+
+}  // namespace
+
+void applyOverride(toml::table& scene, const std::string& override, Complaints& complaints) {
+  Override(override, complaints).applyTo(scene);
+}
+
+}  // namespace parhelion

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <toml++/toml.h>
+
+#include <string>
+
+#include "scene/complaints.h"
+
+namespace parhelion {
+
+/// Applies "key.path=value" to the scene. A number in the path picks an element of a list, counting from 0; a
+/// population can be picked by its name too. What cannot be applied is complained about.
+void applyOverride(toml::table& scene, const std::string& override, Complaints& complaints);
+
+}  // namespace parhelion

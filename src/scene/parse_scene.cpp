@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/parse_scene.h"
+
+#include <toml++/toml.h>
+
+#include <cerrno>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+#include <system_error>
+
+#include "scene/overrides.h"
+#include "scene/scene_keys.h"
+#include "scene/text_guard.h"
+
+namespace parhelion {
+
+namespace {
+
+constexpr std::size_t kMaxBytes = 1 << 20;  // no scene comes near; a wrong file often does
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
+toml::table parseToml(std::string_view text, std::string_view fileName, Complaints& complaints) {
+  if (const auto problem = findTextProblem(text)) {
+    complaints.add({0, problem->line, problem->column, problem->line, problem->column + 1}, problem->message,
+                   problem->hint);
+    complaints.throwIfAny();
+  }
+  try {
+    return toml::parse(text, fileName);
+  } catch (const toml::parse_error& e) {
+    complaints.add(placeOf(e.source(), complaints), "not TOML: " + std::string(e.description()));
+  }
+  complaints.throwIfAny();
+  return {};
+}
+
+Scene readScene(const toml::table& root, Complaints& complaints) {
+  Scene scene;
+  TableReader reader(root, "", complaints);
+  visitKeys(reader, scene);
+  reader.rejectUnknown();
+  if (!reader.has("population")) {
+    complaints.add({}, "a scene needs at least one population", "begin each population with [[population]]");
+  }
+  return scene;
+}
+
+std::string serialised(const toml::table& root) {
+  std::ostringstream out;
+  out << root << '\n';
+  return out.str();
+}
+
+[[noreturn]] void throwFileError(std::string_view fileName, const std::string& message) {
+  throw SceneError({{std::string(fileName), 0, 0, message, "", ""}});
+}
+
+}  // namespace
+
+LoadedScene loadScene(const std::filesystem::path& path, std::span<const std::string> overrides) {
+  std::error_code status;
+  if (!std::filesystem::exists(path, status) && !status) throwFileError(path.string(), "no such file");
+
+  errno = 0;
+  std::ifstream file(path, std::ios::binary);
+  std::string text(kMaxBytes + 1, '\0');
+  if (file) file.read(text.data(), static_cast<std::streamsize>(text.size()));
+  if (!file.eof() && !file.good()) {
+    throw std::runtime_error(path.string() + ": " + std::generic_category().message(errno != 0 ? errno : EIO));
+  }
+  text.resize(static_cast<std::size_t>(file.gcount()));
+  return parseScene(text, path.string(), overrides);
+}
+
+LoadedScene parseScene(std::string_view text, std::string_view fileName, std::span<const std::string> overrides) {
+  if (text.size() > kMaxBytes) throwFileError(fileName, "larger than 1 MiB: this is no scene file");
+  const bool hasMark = text.starts_with(kByteOrderMark);
+  const std::string_view body = text.substr(hasMark ? kByteOrderMark.size() : 0);
+
+  Complaints complaints;
+  complaints.addText(fileName, body);
+  toml::table root = parseToml(body, fileName, complaints);
+  for (const std::string& override : overrides) applyOverride(root, override, complaints);
+  const Scene scene = readScene(root, complaints);
+  complaints.throwIfAny();
+  return {scene, overrides.empty() ? std::string(text) : serialised(root)};
+}
+
+}  // namespace parhelion

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// Every key of a scene file, said once: its name, the kind of its value, the setting it fills and what it means.
+// TableReader visits the keys to read a file, SchemaWriter to write the schema, with the settings' own defaults.
+
+#include <array>
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "scene/distribution_kinds.h"
+#include "scene/kinds.h"
+#include "scene/table_kinds.h"
+
+namespace parhelion {
+
+template <class Visitor>
+void visitKeys(Visitor& v, SunSettings& sun) {
+  v.key("elevation", Angle{{-90, 90}}, sun.elevation, "Elevation of the sun above the horizon, degrees.");
+  v.key("diameter", Angle{{0, 10}}, sun.diameter, "Diameter of the sun's disc, degrees; 0 is a point sun.");
+  v.key(
+      "spectrum", Spectrum{}, sun.spectrum,
+      "Sunlight: \"sun\" (extraterrestrial), \"sun-am1.5\" (through 1.5 atmospheres), \"equal\" energy, one wavelength "
+      "in nm (luminance only), or a list of wavelengths of equal energy.");
+  v.key("visible", Flag{}, sun.visible, "Draw the undeviated light, with its disc, into the image.");
+}
+
+template <class Visitor>
+void visitKeys(Visitor& v, IceSettings& ice) {
+  v.key("index", IceIndex{}, ice,
+        "Refractive index of ice: \"warren-brandt\" (table of 2008) or a number, the same at every wavelength.");
+}
+
+/// A [[population]] as its keys say it; population_kind.cpp makes PopulationSettings of it.
+struct PopulationKeys {
+  std::optional<std::string> name;
+  double weight = PopulationSettings{}.weight;
+  ShapeName shape = ShapeName::prism;
+  AspectDistribution aspect = PrismSettings{}.aspect;
+  PyramidSettings pyramid;  // all but its aspect
+  OrientationWords orientation = OrientationName::random;
+  std::optional<AngleDistribution> tilt;  // about 0
+  std::optional<AngleDistribution> roll;  // about 0
+};
+
+template <class Visitor>
+void visitKeys(Visitor& v, PopulationKeys& p) {
+  v.key("name", Optional{Text{}}, p.name, "Name, unique; \"population 1\" and so on when left out.");
+  v.key("weight", Number{{0, 1e9}}, p.weight,
+        "Share of all crystal surface in the cloud; the shares need not add up to 1.");
+  v.key("shape", Choice<ShapeName>{}, p.shape,
+        "\"prism\": hexagonal prism, a plate or a column by its aspect; \"pyramid\": with pyramids on its ends.");
+  v.key(
+      "aspect", Aspect{p.shape}, p.aspect,
+      "Length along the c axis over the distance between opposite vertices of the hexagon (of a pyramid: of its prism "
+      "part); prisms also { normal = [mean, sigma] } or { uniform = [from, to] }.");
+  v.key("upper", Number{{0, 1}}, p.pyramid.upper, "Pyramids: height of the upper one as a share of its full height.");
+  v.key("lower", Number{{0, 1}}, p.pyramid.lower, "Pyramids: height of the lower one as a share of its full height.");
+  v.key("slope", Angle{{0, 90, true, true}}, p.pyramid.slope,
+        "Pyramids: angle between their faces and the c axis, degrees.");
+  v.key(
+      "orientation", Orientation{}, p.orientation,
+      "\"random\", \"plate\" (c axis vertical), \"column\" (horizontal), \"parry\" (horizontal, two prism faces too), "
+      "\"lowitz\" (an axis through opposite prism edges horizontal), or zenith angle and azimuth of the c axis and "
+      "roll about it.");
+  v.key(
+      "tilt", Optional{Spread{}}, p.tilt,
+      "Spread of the axis about its rest, degrees: a number is the sigma of a normal density per solid angle. Exactly "
+      "at rest when left out.");
+  v.key(
+      "roll", Optional{Spread{}}, p.roll,
+      "Spread of the rotation about the c axis (lowitz: about its horizontal axis), degrees. Left out: none for parry, "
+      "free for the others.");
+}
+
+/// An orientation in full.
+struct AxisKeys {
+  std::optional<AngleDistribution> zenith;
+  AngleDistribution azimuth = AxisOrientation{}.azimuth;
+  AngleDistribution roll = AxisOrientation{}.roll;
+};
+
+template <class Visitor>
+void visitKeys(Visitor& v, AxisKeys& axis) {
+  v.key("zenith", Optional{AngleValue{AngleValue::Of::zenith}}, axis.zenith, "Zenith angle of the c axis, degrees.");
+  v.key("azimuth", AngleValue{AngleValue::Of::turn}, axis.azimuth, "Azimuth of the c axis from the sun, degrees.");
+  v.key("roll", AngleValue{AngleValue::Of::turn}, axis.roll, "Rotation about the c axis, degrees.");
+}
+
+/// The [camera] as its keys say it; camera_kind.cpp makes CameraSettings of it.
+struct CameraKeys {
+  CameraSettings camera;
+  std::array<int, 2> resolution{};
+  std::optional<double> fovHorizontal, fovVertical, fovDiagonal;  // rad
+  std::optional<double> imageCircle;                              // rad
+};
+
+template <class Visitor>
+void visitKeys(Visitor& v, CameraKeys& c) {
+  v.key("projection", Choice<Projection>{}, c.camera.projection, "How directions become places in the image.");
+  c.camera = defaultCamera(c.camera.projection);
+  c.resolution = {c.camera.width, c.camera.height};
+  v.key("azimuth", Angle{{-360, 360}}, c.camera.azimuth, "Azimuth of the optical axis from the sun, degrees.");
+  v.key("elevation", Angle{{-90, 90}}, c.camera.elevation,
+        "Elevation of the optical axis, degrees. Left out: 90 for a fisheye, 0 for the others.");
+  v.key("roll", Angle{{-360, 360}}, c.camera.roll, "Clockwise turn of the camera as its user sees it, degrees.");
+  constexpr Range kFov{0, 360, true};
+  v.key("fov_horizontal", Optional{Angle{kFov}}, c.fovHorizontal,
+        "Field of view from left to right, degrees; one fov_… at most. Left out: 180 for a fisheye, 360 for "
+        "equirectangular, 60 for rectilinear.");
+  v.key("fov_vertical", Optional{Angle{kFov}}, c.fovVertical, "Field of view from bottom to top, degrees.");
+  v.key("fov_diagonal", Optional{Angle{kFov}}, c.fovDiagonal, "Field of view from corner to corner, degrees.");
+  v.key("image_circle", Optional{Angle{{0, 360, true}}}, c.imageCircle,
+        "Full angle that a fisheye lens covers, degrees. Left out: the larger of 180 and the field of view.");
+  v.key("resolution", Resolution{}, c.resolution,
+        "[width, height] in pixels. Left out: [1024, 1024], [2048, 1024] for equirectangular.");
+}
+
+template <class Visitor>
+void visitKeys(Visitor& v, TraceSettings& trace) {
+  v.key("rays", RayCount{}, trace.rays, "Incident rays, all wavelengths together: 100000, \"10M\", \"1.5k\".");
+  v.key("seed", Seed{}, trace.seed, "Seed of the random numbers; the same seed gives the same image, bit by bit.");
+  v.key("engine", Choice<Engine>{}, trace.engine, "What finds the next face of a crystal.");
+  v.key("path", Choice<PathMode>{}, trace.path,
+        "At a face: deposit what leaves and follow the rest (\"split\"), or follow one branch picked by chance.");
+}
+
+template <class Visitor>
+void visitKeys(Visitor& v, ReconSettings& recon) {
+  v.key("method", Choice<ReconMethod>{}, recon.method,
+        "How scattered hits become an image: \"none\", the plain radiance, or \"adaptive\" filters.");
+}
+
+template <class Visitor>
+void visitKeys(Visitor& v, Scene& scene) {
+  v.key("sun", Table<SunSettings>{"[sun]"}, scene.sun, "The source of light.");
+  v.key("ice", Table<IceSettings>{"[ice]"}, scene.ice, "What the crystals are made of.");
+  v.key("population", Populations{}, scene.populations, "The crystals: at least one population.");
+  v.key("camera", Camera{}, scene.camera, "Where the image looks.");
+  v.key("trace", Table<TraceSettings>{"[trace]"}, scene.trace, "How light is followed.");
+  v.key("recon", Table<ReconSettings>{"[recon]"}, scene.recon, "How the image is made of the hits.");
+}
+
+}  // namespace parhelion

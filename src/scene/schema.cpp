@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/schema.h"
+
+#include "scene/scene_keys.h"
+
+namespace parhelion {
+
+namespace {
+
+Json schemaOfScenes() {
+  Json schema = {{"$schema", "http://json-schema.org/draft-04/schema#"}, {"title", "Parhelion scene"}};
+  schema.update(tableSchema<Scene>());
+  schema["required"] = {"population"};
+  return schema;
+}
+
+}  // namespace
+
+std::string sceneSchema() { return schemaOfScenes().dump(2) + '\n'; }
+
+std::string tablesWithKey(std::string_view key) {
+  static const Json kTables = schemaOfScenes()["properties"];
+  std::string list;
+  for (const auto& [name, table] : kTables.items()) {
+    const bool isList = table["type"] == "array";
+    const Json& properties = (isList ? table["items"] : table)["properties"];
+    if (!properties.contains(std::string(key))) continue;
+    const std::string title = isList ? "[[" + name + "]]" : "[" + name + "]";
+    list += (list.empty() ? "" : " or ") + title;
+  }
+  return list;
+}
+
+}  // namespace parhelion

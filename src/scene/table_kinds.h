@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// Kinds (kinds.h) whose values are tables with keys of their own.
+
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "scene/names.h"
+#include "scene/range.h"
+#include "scene/schema_writer.h"
+#include "scene/table_reader.h"
+
+namespace parhelion {
+
+/// A table whose keys fill the members of T one by one, by visitKeys(visitor, T&).
+template <class T>
+struct Table {
+  std::string_view title;
+
+  bool read(const Value& in, T& out) const {
+    const toml::table* table = in.node.as_table();
+    if (!table) return in.mustBe("a table");
+    TableReader reader(*table, title, in.complaints);
+    visitKeys(reader, out);
+    reader.rejectUnknown();
+    return true;
+  }
+  Json schema() const { return tableSchema<T>(); }
+  Json write(const T&) const { return {}; }
+};
+
+/// [camera]; fields of view are held against the projection.
+struct Camera {
+  bool read(const Value& in, CameraSettings& out) const;
+  Json schema() const;
+  Json write(const CameraSettings&) const { return {}; }
+};
+
+/// The defaults of a camera with this projection.
+CameraSettings defaultCamera(Projection projection);
+
+/// The list of [[population]] tables.
+struct Populations {
+  bool read(const Value& in, std::vector<PopulationSettings>& out) const;
+  Json schema() const;
+  Json write(const std::vector<PopulationSettings>&) const { return {}; }
+};
+
+/// A name, or the inline table in full.
+using OrientationWords = std::variant<OrientationName, AxisOrientation>;
+
+struct Orientation {
+  bool read(const Value& in, OrientationWords& out) const;
+  Json schema() const;
+  Json write(const OrientationWords& value) const;
+};
+
+}  // namespace parhelion

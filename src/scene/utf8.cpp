@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/utf8.h"
+
+namespace parhelion {
+
+CodePoint decodeUtf8(std::string_view text, std::size_t at) {
+  constexpr CodePoint kBroken{0xFFFD, 1, false};
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  const unsigned lead = byte(at);
+  if (lead < 0x80) return {lead, 1, true};
+
+  const std::size_t length = lead < 0xC0 ? 0 : lead < 0xE0 ? 2 : lead < 0xF0 ? 3 : lead < 0xF8 ? 4 : 0;
+  if (length == 0 || at + length > text.size()) return kBroken;
+  char32_t value = lead & (0x7Fu >> length);
+  for (std::size_t i = at + 1; i < at + length; ++i) {
+    if ((byte(i) & 0xC0u) != 0x80u) return kBroken;
+    value = (value << 6) | (byte(i) & 0x3Fu);
+  }
+
+  constexpr char32_t kSmallest[] = {0, 0, 0x80, 0x800, 0x10000};
+  const bool surrogate = value >= 0xD800 && value <= 0xDFFF;
+  if (value < kSmallest[length] || value > 0x10FFFF || surrogate) return kBroken;
+  return {value, length, true};
+}
+
+std::size_t countCodePoints(std::string_view text) {
+  std::size_t count = 0;
+  for (std::size_t at = 0; at < text.size(); at += decodeUtf8(text, at).length) ++count;
+  return count;
+}
+
+std::string printable(std::string_view text, std::size_t maxLength) {
+  std::string result;
+  std::size_t count = 0;
+  for (std::size_t at = 0; at < text.size(); ++count) {
+    if (count == maxLength) return result + "…";
+    const CodePoint c = decodeUtf8(text, at);
+    const bool control = c.value < 0x20 || (c.value >= 0x7F && c.value < 0xA0);
+    if (c.value == '\t') {
+      result += ' ';
+    } else if (control || !c.valid) {
+      result += '?';
+    } else {
+      result += text.substr(at, c.length);
+    }
+    at += c.length;
+  }
+  return result;
+}
+
+}  // namespace parhelion

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/value.h"
+
+#include "scene/utf8.h"
+
+namespace parhelion {
+
+namespace {
+
+/// What the user wrote, in words.
+std::string given(const toml::node& node) {
+  if (const auto text = node.value_exact<std::string>()) return "the string \"" + printable(*text, 40) + '"';
+  if (node.is_integer()) return std::to_string(*node.value<std::int64_t>());
+  if (const auto number = node.value_exact<double>()) return formatNumber(*number);
+  if (const auto flag = node.value_exact<bool>()) return *flag ? "true" : "false";
+  if (node.is_table()) return "a table";
+  if (node.is_array()) return "a list";
+  return "a date or time";
+}
+
+}  // namespace
+
+Place placeOf(const toml::source_region& region, const Complaints& complaints) {
+  Place place;
+  if (region.path) place.text = complaints.textNamed(*region.path);
+  place.line = static_cast<int>(region.begin.line);
+  place.column = static_cast<int>(region.begin.column);
+  place.endLine = static_cast<int>(region.end.line);
+  place.endColumn = static_cast<int>(region.end.column);
+  return place;
+}
+
+bool Value::reject(const std::string& message, const std::string& hint) const {
+  complaints.add(placeOf(node.source(), complaints), message, hint);
+  return false;
+}
+
+bool Value::mustBe(const std::string& what, const std::string& hint) const {
+  return reject("'" + std::string(key) + "' must be " + what + ", not " + given(node), hint);
+}
+
+std::optional<double> Value::numberIn(const Range& range) const {
+  if (!node.is_number()) return std::nullopt;
+  const std::optional<double> number = node.value<double>();
+  return number && range.contains(*number) ? number : std::nullopt;
+}
+
+}  // namespace parhelion
