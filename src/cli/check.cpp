@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cstdio>
+
+#include "cli/commands.h"
+#include "scene/describe.h"
+#include "scene/parse_scene.h"
+#include "scene/schema.h"
+
+namespace parhelion::cli {
+
+namespace {
+
+struct CheckOptions {
+  std::vector<std::string> scenes;
+  std::vector<std::string> overrides;
+};
+
+/// Looks at every file before it fails, so that one run shows all that is wrong.
+int runCheck(const CheckOptions& options) {
+  int exit = kDone;
+  for (const std::string& path : options.scenes) {
+    try {
+      loadScene(path, options.overrides);
+      std::printf("%s: ok\n", path.c_str());
+    } catch (const SceneError& error) {
+      std::fprintf(stderr, "%s\n", error.what());
+      exit = kUsageError;
+    }
+  }
+  return exit;
+}
+
+}  // namespace
+
+void addCheck(CLI::App& app, int& exit) {
+  auto options = std::make_shared<CheckOptions>();
+  CLI::App* command = app.add_subcommand("check", "Validate scene files; traces nothing");
+  command->add_option("scene", options->scenes, "Scene files")->required()->type_name("SCENE");
+  command->add_option("-D", options->overrides, "Override a key of the scene")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+  command->callback([options, &exit] { exit = runCheck(*options); });
+}
+
+void addSchema(CLI::App& app, int&) {
+  CLI::App* command = app.add_subcommand("schema", "Print the JSON Schema of scene files, for editors");
+  command->callback([] { std::fputs(sceneSchema().c_str(), stdout); });
+}
+
+}  // namespace parhelion::cli

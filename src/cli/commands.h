@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace parhelion::cli {
+
+/// What `parhelion` ends with, as a shell sees it.
+enum ExitCode {
+  kDone = 0,
+  kRunTimeFailure = 1,
+  kUsageError = 2,    // also a scene that cannot be used
+  kInterrupted = 75,  // stopped by a signal; what was traced has been written
+};
+
+// Each adds one subcommand. Once the command line is parsed, the chosen command runs and stores how it ended in `exit`.
+void addRender(CLI::App& app, int& exit);
+void addTrace(CLI::App& app, int& exit);
+void addProfile(CLI::App& app, int& exit);
+void addMap(CLI::App& app, int& exit);
+void addReplay(CLI::App& app, int& exit);
+void addInfo(CLI::App& app, int& exit);
+void addCheck(CLI::App& app, int& exit);
+void addSchema(CLI::App& app, int& exit);
+
+}  // namespace parhelion::cli

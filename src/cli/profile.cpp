@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+#include <cstdio>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/commands.h"
+#include "cli/run_options.h"
+#include "cli/stats.h"
+#include "cli/text_output.h"
+#include "trace/scatter_profile.h"
+
+namespace parhelion::cli {
+
+namespace {
+
+struct ProfileOptions {
+  RunOptions run;
+  int bins = 1800;
+  double from = 0.0, to = 180.0;  // degrees
+  std::string output = "-", summary;
+};
+
+/// An edge in degrees without the last bits that come from going through radians.
+double edge(double radians) { return std::round(degrees(radians) * 1e9) / 1e9; }
+
+std::string csv(const ScatterProfile& profile) {
+  std::string text = "from_deg,to_deg,energy,stderr,phase\n";
+  char line[160];
+  for (const ScatterProfile::Bin& bin : profile.bins()) {
+    std::snprintf(line, sizeof line, "%.10g,%.10g,%.9g,%.4g,%.9g\n", edge(bin.from), edge(bin.to), bin.energy,
+                  bin.error, bin.phase);
+    text += line;
+  }
+  return text;
+}
+
+nlohmann::ordered_json json(const ScatterProfile::Summary& s) {
+  nlohmann::ordered_json json;
+  json["rays"] = s.rays;
+  json["g"] = s.g;
+  json["g_stderr"] = s.gError;
+  json["delta"] = s.undeviated;
+  json["external"] = s.external;
+  json["by_order"] = s.byOrder;
+  json["mean_path"] = s.meanPath;
+  json["volume"] = s.volume;
+  json["surface"] = s.surface;
+  json["mean_projected_area"] = s.meanProjectedArea;
+  json["cut_off"] = s.cutOff;
+  json["lost"] = s.lost;
+  return json;
+}
+
+int runProfile(const ProfileOptions& options) {
+  const Scene scene = options.run.load().scene;
+  requireWritable(options.output);
+  requireWritable(options.summary);
+  const Cloud cloud = makeCloud(scene);
+  ScatterProfile profile(options.bins, radians(options.from), radians(options.to));
+  const RunResult result = runTrace(options.run, scene, cloud, profile);
+  writeText(options.output, csv(profile));
+  if (!options.summary.empty()) writeJson(options.summary, json(profile.summary()));
+  return result.exitCode();
+}
+
+}  // namespace
+
+void addProfile(CLI::App& app, int& exit) {
+  auto options = std::make_shared<ProfileOptions>();
+  CLI::App* command =
+      app.add_subcommand("profile", "Light over the angle from the sun, as CSV, and what follows from it");
+  options->run.addTo(*command, false);
+  command->add_option("--bins", options->bins, "Equal bins between --from and --to")->check(CLI::Range(1, 10'000'000));
+  command->add_option("--from", options->from, "First scattering angle, degrees")->check(CLI::Range(0.0, 180.0));
+  command->add_option("--to", options->to, "Last scattering angle, degrees")->check(CLI::Range(0.0, 180.0));
+  command->add_option("-o,--output", options->output, "CSV file; - for stdout")->type_name("FILE");
+  command->add_option("--summary", options->summary, "JSON file of g, delta fraction, energy by order, mean path ...")
+      ->type_name("FILE");
+  command->callback([options, &exit] {
+    if (!(options->from < options->to)) throw CLI::ValidationError("--from must be less than --to");
+    exit = runProfile(*options);
+  });
+}
+
+}  // namespace parhelion::cli

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cstdio>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/commands.h"
+#include "cli/run_options.h"
+#include "math/rotation.h"
+
+namespace parhelion::cli {
+
+namespace {
+
+struct ReplayOptions {
+  std::string scene;
+  std::vector<std::string> overrides;
+  std::uint64_t ray = 0;
+  bool json = false;
+};
+
+/// "3-1-5": the faces met up to encounter `order`.
+std::string raypath(const LightPath& path, int order) {
+  std::string faces;
+  for (int k = 0; k <= order; ++k) faces += (k ? "-" : "") + std::to_string(path.encounters[k].faceNumber);
+  return faces;
+}
+
+nlohmann::ordered_json numbers(const Vec3& v) { return {v.x, v.y, v.z}; }
+
+nlohmann::ordered_json sky(const Vec3& lightDirWorld) {
+  const SkyPoint point = skyPoint(-lightDirWorld);
+  return {{"azimuth_deg", degrees(point.azimuth)}, {"elevation_deg", degrees(point.elevation)}};
+}
+
+nlohmann::ordered_json hitJson(const Encounter& hit) {
+  nlohmann::ordered_json json;
+  const bool leaves = hit.energyLeaving > 0.0, stays = hit.energyStaying > 0.0;
+  json["face"] = hit.faceNumber;
+  json["point"] = numbers(hit.point);
+  json["direction"] = numbers(stays ? hit.stayingDir : hit.leavingDir);
+  json["weight"] = hit.energyLeaving;
+  json["order"] = hit.order;
+  json["leaving_direction"] = leaves ? numbers(hit.leavingDir) : nlohmann::ordered_json();
+  json["weight_staying"] = hit.energyStaying;
+  return json;
+}
+
+nlohmann::ordered_json pathJson(const LightPath& path, const std::string& population) {
+  const IncidentRay& ray = path.incident;
+  nlohmann::ordered_json json;
+  json["ray"] = ray.index;
+  json["population"] = population;
+  // GLM stores columns; rows read like the matrix on paper.
+  json["orientation"] = nlohmann::ordered_json::array();
+  for (int row = 0; row < 3; ++row)
+    json["orientation"].push_back({ray.crystalToWorld[0][row], ray.crystalToWorld[1][row], ray.crystalToWorld[2][row]});
+  json["wavelength"] = ray.light.wavelength;
+  json["index"] = ray.iceIndex;
+  json["weight"] = ray.weight;
+  json["light_direction_world"] = numbers(ray.lightDirWorld);
+  json["light_direction"] = numbers(ray.lightDirCrystal);
+  json["hits"] = nlohmann::ordered_json::array();
+  for (const Encounter& hit : path.encounters) json["hits"].push_back(hitJson(hit));
+  json["exits"] = nlohmann::ordered_json::array();
+  for (const Exit& exit : path.exits) {
+    nlohmann::ordered_json out = sky(exit.lightDirWorld);
+    out["raypath"] = raypath(path, exit.order);
+    out["weight"] = exit.energy;
+    out["undeviated"] = exit.undeviated;
+    json["exits"].push_back(out);
+  }
+  return json;
+}
+
+void printPath(const LightPath& path, const std::string& population) {
+  const IncidentRay& ray = path.incident;
+  std::printf("# ray %llu: population '%s', %.3f nm, n = %.6f\n", static_cast<unsigned long long>(ray.index),
+              population.c_str(), ray.light.wavelength, ray.iceIndex);
+  auto exit = path.exits.begin();
+  for (const Encounter& hit : path.encounters) {
+    const Vec3& dir = hit.energyStaying > 0.0 ? hit.stayingDir : hit.leavingDir;
+    std::printf("hit %d face %d at (%.6f, %.6f, %.6f) then (%.6f, %.6f, %.6f) leaving %.6g", hit.order, hit.faceNumber,
+                hit.point.x, hit.point.y, hit.point.z, dir.x, dir.y, dir.z, hit.energyLeaving);
+    if (hit.energyLeaving > 0.0 && exit != path.exits.end()) {
+      const SkyPoint point = skyPoint(-exit->lightDirWorld);
+      std::printf(" to azimuth %.4f elevation %.4f by %s%s", degrees(point.azimuth), degrees(point.elevation),
+                  raypath(path, hit.order).c_str(), exit->undeviated ? " (undeviated)" : "");
+      ++exit;
+    }
+    std::printf("\n");
+  }
+}
+
+int runReplay(const ReplayOptions& options) {
+  const Scene scene = loadScene(options.scene, options.overrides).scene;
+  const Cloud cloud = makeCloud(scene);
+  LightPath path;
+  path.recordEncounters = true;
+  followRay(cloud, makeEngines(cloud, scene.trace.engine), scene.trace, options.ray, path);
+  const std::string& population = cloud.populations()[path.incident.population].name();
+  if (options.json)
+    std::printf("%s\n", pathJson(path, population).dump(2).c_str());
+  else
+    printPath(path, population);
+  return kDone;
+}
+
+}  // namespace
+
+void addReplay(CLI::App& app, int& exit) {
+  auto options = std::make_shared<ReplayOptions>();
+  CLI::App* command = app.add_subcommand(
+      "replay", "Print the whole life of one ray: a line a hit, in the crystal's frame, lengths in hexagon sides");
+  command->add_option("scene", options->scene, "The scene file")->required()->type_name("SCENE");
+  command->add_option("-D", options->overrides, "Override a key of the scene")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+  command->add_option("--ray", options->ray, "Index of the ray, from 0")->required()->type_name("N");
+  command->add_flag("--json", options->json, "The same as JSON");
+  command->callback([options, &exit] { exit = runReplay(*options); });
+}
+
+}  // namespace parhelion::cli

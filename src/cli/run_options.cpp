@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/run_options.h"
+
+#include <cstdio>
+
+#include "cli/commands.h"
+#include "cli/progress.h"
+#include "cli/stats.h"
+#include "cli/stop_signal.h"
+
+namespace parhelion::cli {
+
+namespace {
+
+/// Complains unless `text` is a number of rays such as 250k or 10M.
+std::string validRays(const std::string& text) {
+  try {
+    parseRayCount(text);
+    return {};
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+}
+
+/// Complains unless `text` is WIDTHxHEIGHT.
+std::string validResolution(const std::string& text) {
+  int width = 0, height = 0, length = 0;
+  const int parsed = std::sscanf(text.c_str(), "%dx%d%n", &width, &height, &length);
+  if (parsed == 2 && length == static_cast<int>(text.size()) && width > 0 && height > 0) return {};
+  return "expected WIDTHxHEIGHT in pixels, for one 1920x1080, not '" + text + "'";
+}
+
+}  // namespace
+
+void RunOptions::addTo(CLI::App& command, bool hasImage) {
+  command.add_option("scene", scene, "The scene file")->required()->type_name("SCENE");
+  command.add_option("-D", overrides, "Override a key of the scene, for one sun.elevation=25; may be repeated")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+  command.add_option("--rays", rays, "Incident rays, all wavelengths together; k, M and G are understood")
+      ->type_name("N")
+      ->check(CLI::Validator(validRays, ""));
+  command.add_option("--seed", seed, "Seed of the random numbers")->type_name("N")->check(CLI::NonNegativeNumber);
+  command.add_option("--engine", engine, "What finds the next face of a crystal")->type_name("NAME");
+  if (hasImage)
+    command.add_option("--resolution", resolution, "Size of the picture in pixels")
+        ->type_name("WxH")
+        ->check(CLI::Validator(validResolution, ""));
+  command.add_option("--time", timeLimit, "Stop after this many seconds, whatever has been traced")
+      ->type_name("SECONDS")
+      ->check(CLI::PositiveNumber);
+  command.add_option("--nthreads", threads, "Threads; as many as there are processors when left out")
+      ->type_name("N")
+      ->check(CLI::Range(1, 4096));
+  command.add_flag("--quiet", quiet, "No progress and no ledger on stderr");
+  command.add_option("--progress", progress, "Progress as lines of JSON, for farms")
+      ->check(CLI::IsMember({"auto", "json"}));
+  command.add_option("--stats", stats, "Write the run's figures as JSON")->type_name("FILE");
+}
+
+LoadedScene RunOptions::load() const {
+  std::vector<std::string> all = overrides;
+  if (!rays.empty()) all.push_back("trace.rays=" + std::to_string(parseRayCount(rays)));
+  if (!seed.empty()) all.push_back("trace.seed=" + seed);
+  if (!engine.empty()) all.push_back("trace.engine='" + engine + "'");
+  if (!resolution.empty()) {
+    std::string size = resolution;
+    size.replace(size.find('x'), 1, ",");
+    all.push_back("camera.resolution=[" + size + "]");
+  }
+  return loadScene(scene, all);
+}
+
+int RunResult::exitCode() const { return signalled ? kInterrupted : kDone; }
+
+Cloud makeCloud(const Scene& scene) { return Cloud(scene.sun, scene.ice, scene.populations); }
+
+RunResult runTrace(const RunOptions& options, const Scene& scene, const Cloud& cloud, PathTally& tally) {
+  const StopSignal stop;
+  Progress progress(scene.trace.rays, options.quiet                ? Progress::Style::none
+                                      : options.progress == "json" ? Progress::Style::json
+                                                                   : Progress::Style::people);
+  TraceControl control;
+  control.threads = options.threads;
+  control.timeLimit = options.timeLimit;
+  control.stop = &stop.requested();
+  control.onProgress = [&](std::uint64_t done, double seconds) { progress.update(done, seconds); };
+
+  RunResult result;
+  result.report = traceRays(cloud, scene.trace, 0, tally, control);
+  result.signalled = result.report.interrupted && stop.requested();
+  progress.finish();
+  if (!options.quiet) printLedger(result.report);
+  if (!options.stats.empty()) writeStats(options.stats, scene, result.report, options.threads);
+  return result;
+}
+
+}  // namespace parhelion::cli

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/stats.h"
+
+#include <cmath>
+#include <cstdio>
+#include <thread>
+
+#include <sys/resource.h>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/progress.h"
+#include "cli/text_output.h"
+#include "scene/names.h"
+
+namespace parhelion::cli {
+
+namespace {
+
+double seconds(const timeval& t) { return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec); }
+
+}  // namespace
+
+void printLedger(const TraceReport& report) {
+  const EnergyLedger& energy = report.energy;
+  const double in = energy.in.value(), per = in > 0.0 ? 1.0 / in : 0.0;
+  const double rays = static_cast<double>(report.rays);
+  const Readable count = readable(rays), speed = readable(report.seconds > 0.0 ? rays / report.seconds : 0.0);
+  std::fprintf(stderr, "%.6g%s rays in %.2f s, %.3g%s rays/s, %.2f hits and %.2f deposits a ray\n", count.value,
+               count.suffix, report.seconds, speed.value, speed.suffix, static_cast<double>(report.hits) / rays,
+               static_cast<double>(report.deposits) / rays);
+  std::fprintf(stderr, "energy: in 1 = out %.9f + absorbed %g + cut off %.3g + lost %.3g, open by %.1e\n",
+               energy.out.value() * per, energy.absorbed.value() * per, energy.cutOff.value() * per,
+               energy.lost.value() * per, std::abs(energy.imbalance()));
+}
+
+void writeStats(const std::string& path, const Scene& scene, const TraceReport& report, int threads) {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  const double rays = static_cast<double>(report.rays);
+  nlohmann::ordered_json json;
+  json["rays"] = report.rays;
+  json["hits"] = report.hits;
+  json["deposits"] = report.deposits;
+  json["rescued_hits"] = report.rescued;
+  json["mean_chain_length"] = rays > 0.0 ? static_cast<double>(report.hits) / rays : 0.0;
+  json["seconds"] = report.seconds;
+  json["cpu_seconds"] = seconds(usage.ru_utime) + seconds(usage.ru_stime);
+  json["rays_per_second"] = report.seconds > 0.0 ? rays / report.seconds : 0.0;
+  json["engine"] = nameOf(scene.trace.engine);
+  json["path"] = nameOf(scene.trace.path);
+  json["seed"] = scene.trace.seed;
+  json["threads"] = threads > 0 ? threads : static_cast<int>(std::thread::hardware_concurrency());
+  json["peak_memory_bytes"] = static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
+  json["energy"] = {{"in", report.energy.in.value()},
+                    {"out", report.energy.out.value()},
+                    {"absorbed", report.energy.absorbed.value()},
+                    {"cut_off", report.energy.cutOff.value()},
+                    {"lost", report.energy.lost.value()}};
+  json["interrupted"] = report.interrupted;
+  writeJson(path, json);
+}
+
+void writeJson(const std::string& path, const nlohmann::ordered_json& json) { writeText(path, json.dump(2) + "\n"); }
+
+}  // namespace parhelion::cli

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "scene/scene.h"
+#include "trace/trace.h"
+
+namespace parhelion::cli {
+
+/// Prints on stderr what a run did and how its energy adds up.
+void printLedger(const TraceReport& report);
+
+/// Writes the run's figures as JSON; `threads` 0 is one a processor. Throws std::runtime_error.
+void writeStats(const std::string& path, const Scene& scene, const TraceReport& report, int threads);
+
+/// Writes JSON to a file, or to stdout for "-". Throws std::runtime_error.
+void writeJson(const std::string& path, const nlohmann::ordered_json& json);
+
+}  // namespace parhelion::cli

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/tally_run.h"
+
+#include "trace/sky_film.h"
+
+namespace parhelion::cli {
+
+TallyRun traceTally(const RunOptions& options, const LoadedScene& loaded, const Cloud& cloud) {
+  const Scene& scene = loaded.scene;
+  TallyInfo info;
+  info.seed = scene.trace.seed;
+  info.white = cloud.spectrum().white();
+  info.sunElevation = scene.sun.elevation;
+  info.sunDiameter = scene.sun.diameter;
+  info.camera = scene.camera;
+  info.scene = loaded.text;
+  info.version = PARHELION_VERSION;
+
+  TallyRun run{Tally(info, cloud.spectrum().colours()), {}};
+  SkyFilm film(run.tally);
+  run.result = runTrace(options, scene, cloud, film);
+  if (run.result.report.rays > 0) run.tally.info.rays = {{run.result.report.firstRay, run.result.report.rays}};
+  return run;
+}
+
+ExrAttributes sceneAttributes(const LoadedScene& loaded, std::uint64_t rays) {
+  return {{"software", "parhelion " PARHELION_VERSION},
+          {"parhelion:version", PARHELION_VERSION},
+          {"parhelion:seed", std::to_string(loaded.scene.trace.seed)},
+          {"parhelion:rays", std::to_string(rays)},
+          {"parhelion:scene", loaded.text}};
+}
+
+}  // namespace parhelion::cli

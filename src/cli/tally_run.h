@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "cli/run_options.h"
+#include "image/exr.h"
+#include "image/tally.h"
+
+namespace parhelion::cli {
+
+struct TallyRun {
+  Tally tally;
+  RunResult result;
+};
+
+/// Traces a scene into the tally of its camera, with all that the tally's info says filled in.
+TallyRun traceTally(const RunOptions& options, const LoadedScene& loaded, const Cloud& cloud);
+
+/// What every EXR of ours says about itself: the program, and the scene with which it can be made again.
+ExrAttributes sceneAttributes(const LoadedScene& loaded, std::uint64_t rays);
+
+}  // namespace parhelion::cli

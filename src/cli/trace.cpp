@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cstdio>
+
+#include "cli/commands.h"
+#include "cli/run_options.h"
+#include "cli/tally_run.h"
+#include "cli/text_output.h"
+#include "image/tally_exr.h"
+
+namespace parhelion::cli {
+
+namespace {
+
+struct TraceOptions {
+  RunOptions run;
+  std::string output;
+};
+
+int runTraceCommand(const TraceOptions& options) {
+  const LoadedScene loaded = options.run.load();
+  requireWritable(options.output);
+  const TallyRun run = traceTally(options.run, loaded, makeCloud(loaded.scene));
+  writeTallyExr(options.output, run.tally);
+  if (!options.run.quiet) std::fprintf(stderr, "wrote %s\n", options.output.c_str());
+  return run.result.exitCode();
+}
+
+}  // namespace
+
+void addTrace(CLI::App& app, int& exit) {
+  auto options = std::make_shared<TraceOptions>();
+  CLI::App* command =
+      app.add_subcommand("trace", "Trace a scene into a tally EXR: exact sums a pixel, not yet a picture");
+  options->run.addTo(*command, true);
+  command->add_option("-o,--output", options->output, "The tally")->type_name("FILE")->required();
+  command->callback([options, &exit] { exit = runTraceCommand(*options); });
+}
+
+}  // namespace parhelion::cli

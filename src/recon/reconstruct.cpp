@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "recon/reconstruct.h"
+
+#include "image/radiance.h"
+
+namespace parhelion {
+
+Image reconstruct(const Tally& tally, const ReconSettings& settings) {
+  switch (settings.method) {
+    case ReconMethod::none:
+      return plainRadiance(tally);
+  }
+  return {};
+}
+
+}  // namespace parhelion
