@@ -116,14 +116,18 @@ class Walk {
 
 }  // namespace
 
-void followRay(const Cloud& cloud, const Engines& engines, const TraceSettings& settings, std::uint64_t index,
-               LightPath& path) {
-  path.incident = cloud.incidentRay(settings.seed, index);
+void followLight(const EmbreeIntersector& engine, const TraceSettings& settings, LightPath& path) {
   path.exits.clear();
   path.encounters.clear();
   path.internalPath = path.cutOff = path.lost = 0.0;
   path.hits = path.rescued = 0;
-  Walk(engines[path.incident.population], settings, path).run();
+  Walk(engine, settings, path).run();
+}
+
+void followRay(const Cloud& cloud, const Engines& engines, const TraceSettings& settings, std::uint64_t index,
+               LightPath& path) {
+  path.incident = cloud.incidentRay(settings.seed, index);
+  followLight(engines[path.incident.population], settings, path);
 }
 
 }  // namespace parhelion

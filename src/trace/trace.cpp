@@ -7,6 +7,7 @@
 
 #include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -61,7 +62,10 @@ double EnergyLedger::imbalance() const {
 TraceReport traceRays(const Cloud& cloud, const TraceSettings& settings, std::uint64_t firstRay, PathTally& tally,
                       const TraceControl& control) {
   const Engines engines = makeEngines(cloud, settings.engine);
-  tbb::task_arena arena(control.threads > 0 ? control.threads : tbb::task_arena::automatic);
+  // TBB keeps to the number of processors unless it is told that more threads are wanted.
+  const int threads = control.threads > 0 ? control.threads : tbb::this_task_arena::max_concurrency();
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+  tbb::task_arena arena(threads);
   tbb::enumerable_thread_specific<Worker> workers([&] { return Worker{tally.forThread(), {}, {}}; });
 
   TraceReport report;

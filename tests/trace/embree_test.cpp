@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <cstring>
+#include <string>
+
+#include <glm/geometric.hpp>
+
+#include "crystals.h"
+#include "trace/embree_intersector.h"
+
+using namespace parhelion;
+using namespace parhelion::test;
+
+TEST_CASE("Embree and the planes agree on the next face, edges aside") {
+  const EmbreeDevice device;
+  for (const EmbreeMode mode : {EmbreeMode::fast, EmbreeMode::robust})
+    for (const double aspect : {0.01, 0.1, 1.0, 10.0, 100.0}) {
+      // One unit prism serves every aspect ratio; here it is stretched, elsewhere built at its aspect.
+      const CrystalMesh unit = hexagonalPrism(1.0);
+      const Crystal crystal{&unit, aspect};
+      const EmbreeIntersector engine(device, unit, mode);
+      int wrong = 0;
+      for (int i = 0; i < 50'000; ++i) {
+        RandomStream random(21, i, RandomPurpose::incidence);
+        const Vec3 lightDir = randomDirection(random);
+        const EntryPoint from = sampleEntry(crystal, lightDir, random.next(), random.next(), random.next());
+        const auto hit = engine.nextFace(crystal, from.point, lightDir, from.face);
+        const auto truth = nextFaceByPlanes(crystal, from.point, lightDir, from.face);
+        REQUIRE(hit);
+        REQUIRE(truth);
+        REQUIRE_FALSE(hit->rescued);
+        if (hit->face == truth->face) {
+          REQUIRE(hit->distance == truth->distance);
+          continue;
+        }
+        ++wrong;
+        // Where they differ the ray passes an edge within single precision: both faces are met at the same place.
+        const double size = std::max(1.0, aspect);
+        REQUIRE(std::abs(hit->distance - truth->distance) < 1e-5 * size);
+      }
+      CHECK(wrong <= 5);
+    }
+}
+
+TEST_CASE("a memory limit that a build exceeds becomes one clear error") {
+  const CrystalMesh mesh = hexagonalPrism(1.0);
+  std::string message;
+  try {
+    const EmbreeDevice device("", 64);
+    const EmbreeIntersector engine(device, mesh, EmbreeMode::fast);
+  } catch (const std::runtime_error& error) {
+    message = error.what();
+  }
+  CHECK(message.find("Embree") != std::string::npos);
+  CHECK(message.find("out of memory") != std::string::npos);
+  CHECK(message.find('\n') == std::string::npos);
+}
+
+TEST_CASE("a device that Embree cannot make becomes one clear error") {
+  // An Embree without any instruction set it may use makes no device.
+  CHECK_THROWS_WITH_AS(EmbreeDevice("verbose=bad,isa=nonesuch"), doctest::Contains("Embree"), std::runtime_error);
+}
