@@ -2,6 +2,9 @@
 #include <cstdio>
 #include <exception>
 #include <new>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #if defined(__SSE2__)
 #include <pmmintrin.h>
@@ -10,6 +13,7 @@
 
 #include "cli/commands.h"
 #include "scene/scene_error.h"
+#include "scene/suggest.h"
 
 namespace {
 
@@ -21,12 +25,26 @@ void flushDenormals() {
 #endif
 }
 
+/// One line, with a suggestion where the first word is nearly a command.
+std::string complaint(const CLI::App* app, const CLI::Error& error) {
+  std::string text = "parhelion: error: " + std::string(error.what());
+  const auto words = app->remaining();
+  if (!words.empty()) {
+    std::vector<std::string_view> commands;
+    const auto subcommands = app->get_subcommands({});
+    for (const CLI::App* command : subcommands) commands.push_back(command->get_name());
+    text = "parhelion: error: unknown command '" + words.front() + "'";
+    if (const std::string hint = parhelion::didYouMean(words.front(), commands); !hint.empty()) text += "; " + hint;
+  }
+  return text + "\n(--help lists what there is)\n";
+}
+
 int run(int argc, char** argv) {
   using namespace parhelion::cli;
   CLI::App app("Parhelion renders the halos that ice crystals draw around the sun.", "parhelion");
   app.set_version_flag("--version", "parhelion " PARHELION_VERSION);
   app.require_subcommand(1);
-  app.failure_message(CLI::FailureMessage::help);
+  app.failure_message(complaint);
 
   int exit = kDone;
   addRender(app, exit);

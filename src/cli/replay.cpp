@@ -115,7 +115,10 @@ void addReplay(CLI::App& app, int& exit) {
   command->add_option("-D", options->overrides, "Override a key of the scene")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
-  command->add_option("--ray", options->ray, "Index of the ray, from 0")->required()->type_name("N");
+  command->add_option("--ray", options->ray, "Index of the ray, from 0")
+      ->required()
+      ->type_name("N")
+      ->check(CLI::Validator(validWholeNumber, ""));
   command->add_flag("--json", options->json, "The same as JSON");
   command->callback([options, &exit] { exit = runReplay(*options); });
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/run_options.h"
 
+#include <charconv>
 #include <cstdio>
 
 #include "cli/commands.h"
@@ -32,6 +33,13 @@ std::string validResolution(const std::string& text) {
 
 }  // namespace
 
+std::string validWholeNumber(const std::string& text) {
+  std::int64_t value = -1;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error == std::errc() && end == text.data() + text.size() && value >= 0) return {};
+  return "expected a whole number from 0 to 9223372036854775807, not '" + text + "'";
+}
+
 void RunOptions::addTo(CLI::App& command, bool hasImage) {
   command.add_option("scene", scene, "The scene file")->required()->type_name("SCENE");
   command.add_option("-D", overrides, "Override a key of the scene, for one sun.elevation=25; may be repeated")
@@ -40,7 +48,9 @@ void RunOptions::addTo(CLI::App& command, bool hasImage) {
   command.add_option("--rays", rays, "Incident rays, all wavelengths together; k, M and G are understood")
       ->type_name("N")
       ->check(CLI::Validator(validRays, ""));
-  command.add_option("--seed", seed, "Seed of the random numbers")->type_name("N")->check(CLI::NonNegativeNumber);
+  command.add_option("--seed", seed, "Seed of the random numbers")
+      ->type_name("N")
+      ->check(CLI::Validator(validWholeNumber, ""));
   command.add_option("--engine", engine, "What finds the next face of a crystal")->type_name("NAME");
   if (hasImage)
     command.add_option("--resolution", resolution, "Size of the picture in pixels")

@@ -30,6 +30,9 @@ struct RunOptions {
   LoadedScene load() const;
 };
 
+/// For CLI11: empty where `text` is a whole number from 0 that a scene file can hold, else what was expected.
+std::string validWholeNumber(const std::string& text);
+
 /// How a run ended.
 struct RunResult {
   TraceReport report;

@@ -29,6 +29,7 @@ void printLedger(const TraceReport& report) {
   std::fprintf(stderr, "%.6g%s rays in %.2f s, %.3g%s rays/s, %.2f hits and %.2f deposits a ray\n", count.value,
                count.suffix, report.seconds, speed.value, speed.suffix, static_cast<double>(report.hits) / rays,
                static_cast<double>(report.deposits) / rays);
+  if (report.interrupted) std::fprintf(stderr, "interrupted: stopped before all rays were traced\n");
   std::fprintf(stderr, "energy: in 1 = out %.9f + absorbed %g + cut off %.3g + lost %.3g, open by %.1e\n",
                energy.out.value() * per, energy.absorbed.value() * per, energy.cutOff.value() * per,
                energy.lost.value() * per, std::abs(energy.imbalance()));
