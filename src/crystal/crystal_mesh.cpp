@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "crystal/crystal_mesh.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <stdexcept>
@@ -60,7 +61,7 @@ Face CrystalMesh::makeFace(const FaceOutline& outline) const {
   Vec3 normal = area / length;
   // Rounding must not tilt faces that are parallel or perpendicular to c.
   if (std::abs(normal.z) < kPlanarity) normal = glm::normalize(Vec3(normal.x, normal.y, 0.0));
-  if (std::abs(normal.z) > 1.0 - kPlanarity) normal = Vec3(0.0, 0.0, std::copysign(1.0, normal.z));
+  if (std::hypot(normal.x, normal.y) < kPlanarity) normal = Vec3(0.0, 0.0, std::copysign(1.0, normal.z));
 
   const double offset = glm::dot(normal, origin);
   for (std::size_t i = 0; i < ring.size(); ++i) {

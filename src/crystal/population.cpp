@@ -25,7 +25,10 @@ Population::Population(const PopulationSettings& settings)
   const auto& aspect = std::get<PrismSettings>(settings.shape).aspect;
   const auto* fixed = std::get_if<FixedValue>(&aspect);
   mesh_ = std::make_shared<CrystalMesh>(hexagonalPrism(fixed ? fixed->value : 1.0));
-  if (!fixed) aspect_.emplace(widen(aspect), ValueSampler::Measure::linear, kThinnestAspect, kLongestAspect);
+  if (fixed) return;
+  aspect_.emplace(widen(aspect), ValueSampler::Measure::linear, kThinnestAspect, kLongestAspect);
+  if (!(aspect_->sample(0.0) >= kThinnestAspect && aspect_->sample(1.0) <= kLongestAspect))
+    throw std::invalid_argument("aspect ratios must lie from 1e-4 to 1e4");
 }
 
 Crystal Population::crystal(double u) const { return {mesh_.get(), aspect_ ? aspect_->sample(u) : 1.0}; }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include <glm/geometric.hpp>
 
@@ -70,6 +71,7 @@ void Spectrum::buildContinuous(const ContinuousSpectrum& settings) {
 void Spectrum::buildLines(const std::vector<double>& wavelengths) {
   Vec3 total(0.0);
   for (const double w : wavelengths) total += observer1931(w) / double(wavelengths.size());
+  if (!(total.y > 0.0)) throw std::invalid_argument("a spectrum of lines needs one from 360 to 830 nm");
   for (const double w : wavelengths) lines_.push_back({w, observer1931(w) / total.y, 1.0});
   white_ = lines_.size() == 1 ? Vec3(1.0) : total / total.y;
   if (lines_.size() == 1) lines_.front().xyz = Vec3(1.0);

@@ -23,6 +23,7 @@ struct SpectralSample {
 /// and `light` is 1 for each of them.
 class Spectrum {
  public:
+  /// Throws std::invalid_argument when lines carry no light that the observer sees.
   explicit Spectrum(const SpectrumSettings& settings);
 
   /// The wavelength at quantile `u` in [0, 1), with its weights.

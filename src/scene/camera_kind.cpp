@@ -49,8 +49,8 @@ struct FieldOfView {
 void checkAngle(TableReader& reader, std::string_view key, double angle, const Range& range, Projection projection) {
   const double inDegrees = roundToTwelveDigits(degrees(angle));
   if (range.contains(inDegrees)) return;
-  reader.reject(key, "'" + std::string(key) + "' of a projection \"" + std::string(nameOf(projection)) + "\" must be " +
-                         range.text() + " degrees, not " + formatNumber(inDegrees));
+  reader.reject(key, std::string("'").append(key) + "' of a projection \"" + std::string(nameOf(projection)) +
+                         "\" must be " + range.text() + " degrees, not " + formatNumber(inDegrees));
 }
 
 void checkFieldOfView(TableReader& reader, const FieldOfView& fov, Projection projection) {
@@ -82,10 +82,10 @@ void applyFieldOfView(TableReader& reader, const CameraKeys& keys, CameraSetting
   for (const FieldOfView& fov : offered) {
     if (!reader.has(fov.key)) continue;
     if (!given.empty()) {
-      reader.reject(
-          fov.key,
-          "the field of view is given twice, by '" + std::string(given) + "' and by '" + std::string(fov.key) + "'",
-          "the other one follows from the resolution");
+      reader.reject(fov.key,
+                    std::string("the field of view is given twice, by '").append(given) + "' and by '" +
+                        std::string(fov.key) + "'",
+                    "the other one follows from the resolution");
     }
     given = fov.key;
     if (!fov.angle) continue;

@@ -42,31 +42,32 @@ std::string describe(const OrientationSettings& orientation) {
   return std::visit(Overloaded{
                         [](const RandomOrientation&) { return std::string("random orientation"); },
                         [](const AxisOrientation& o) {
-                          return "c axis at zenith angle " + describe(o.zenith, inDegrees) + "; azimuth " +
-                                 describeTurn(o.azimuth) + "; roll " + describeTurn(o.roll);
+                          return std::string("c axis at zenith angle ").append(describe(o.zenith, inDegrees)) +
+                                 "; azimuth " + describeTurn(o.azimuth) + "; roll " + describeTurn(o.roll);
                         },
                         [](const LowitzOrientation& o) {
-                          return "lowitz axis at zenith angle " + describe(o.axisZenith, inDegrees) + "; spin " +
-                                 describeTurn(o.spin);
+                          return std::string("lowitz axis at zenith angle ").append(describe(o.axisZenith, inDegrees)) +
+                                 "; spin " + describeTurn(o.spin);
                         },
                     },
                     orientation);
 }
 
 std::string describe(const ShapeSettings& shape) {
-  return std::visit(Overloaded{
-                        [](const PrismSettings& s) { return "prism, aspect " + describe(s.aspect, plain); },
-                        [](const PyramidSettings& s) {
-                          return "pyramid, aspect " + plain(s.aspect) + ", upper " + plain(s.upper) + ", lower " +
-                                 plain(s.lower) + ", slope " + inDegrees(s.slope);
-                        },
-                    },
-                    shape);
+  return std::visit(
+      Overloaded{
+          [](const PrismSettings& s) { return std::string("prism, aspect ").append(describe(s.aspect, plain)); },
+          [](const PyramidSettings& s) {
+            return std::string("pyramid, aspect ").append(plain(s.aspect)) + ", upper " + plain(s.upper) + ", lower " +
+                   plain(s.lower) + ", slope " + inDegrees(s.slope);
+          },
+      },
+      shape);
 }
 
 std::string describe(const SpectrumSettings& spectrum) {
   return std::visit(Overloaded{
-                        [](const ContinuousSpectrum& s) { return "spectrum " + std::string(nameOf(s.source)); },
+                        [](const ContinuousSpectrum& s) { return std::string("spectrum ").append(nameOf(s.source)); },
                         [](const MonochromaticSpectrum& s) { return plain(s.wavelength) + " nm"; },
                         [](const LineSpectrum& s) {
                           std::string lines;
@@ -78,13 +79,13 @@ std::string describe(const SpectrumSettings& spectrum) {
 }
 
 std::string describe(const SunSettings& sun) {
-  return "elevation " + inDegrees(sun.elevation) + ", diameter " + inDegrees(sun.diameter) + ", " +
+  return std::string("elevation ").append(inDegrees(sun.elevation)) + ", diameter " + inDegrees(sun.diameter) + ", " +
          describe(sun.spectrum) + (sun.visible ? ", drawn" : ", not drawn");
 }
 
 std::string describe(const IceSettings& ice) {
   const auto* constant = std::get_if<ConstantIce>(&ice);
-  return constant ? "index " + plain(constant->index) : "index of Warren & Brandt 2008";
+  return constant ? std::string("index ").append(plain(constant->index)) : "index of Warren & Brandt 2008";
 }
 
 std::string describe(const CameraSettings& camera) {

@@ -46,7 +46,7 @@ DistributionSyntax aspectSyntax() { return {kAspectForms, "length / width", kAsp
 bool isUniform(const DistributionForm& form) { return form.name == "uniform"; }
 
 std::string pairOf(const DistributionForm& form) {
-  return "[" + std::string(form.first) + ", " + std::string(form.second) + "]";
+  return std::string("[").append(form.first) + ", " + std::string(form.second) + "]";
 }
 
 }  // namespace
@@ -55,7 +55,7 @@ std::string DistributionSyntax::expected() const {
   std::string text = "a number " + (aboutZero ? spread : location).text() + " (" + std::string(fixed) + ") or one of";
   for (const DistributionForm& form : forms) {
     const std::string parameters = aboutZero ? "spread" : pairOf(form);
-    text += " { " + std::string(form.name) + " = " + parameters + " }";
+    text += std::string(" { ").append(form.name) + " = " + parameters + " }";
   }
   return text;
 }
@@ -77,7 +77,7 @@ bool DistributionSyntax::read(const Value& in, AngleDistribution& out) const {
     names.push_back(form.name);
   }
   in.complaints.add(placeOf(key.source(), in.complaints),
-                    "unknown distribution; '" + std::string(in.key) + "' must be " + expected(),
+                    std::string("unknown distribution; '").append(in.key) + "' must be " + expected(),
                     didYouMean(key.str(), names));
   return false;
 }
@@ -152,7 +152,7 @@ Json Spread::schema() const { return spreadSyntax().schema(); }
 bool Aspect::read(const Value& in, AspectDistribution& out) const {
   if (shape == ShapeName::pyramid) {
     const auto number = in.numberIn(kPyramidAspectRange);
-    if (!number) return in.mustBe("a number " + kPyramidAspectRange.text() + " for a pyramid");
+    if (!number) return in.mustBe(std::string("a number ").append(kPyramidAspectRange.text()) + " for a pyramid");
     out = FixedValue{*number};
     return true;
   }

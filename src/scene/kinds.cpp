@@ -33,9 +33,9 @@ bool readWavelengths(const Value& in, const toml::array& list, SpectrumSettings&
     const Value line{element, in.key, in.complaints};
     const auto wavelength = line.numberIn(kVisibleNanometres);
     if (!wavelength) {
-      good = line.mustBe("a list of wavelengths " + kVisibleNanometres.text() + " nm here");
+      good = line.mustBe(std::string("a list of wavelengths ").append(kVisibleNanometres.text()) + " nm here");
     } else if (!seen.insert(*wavelength).second) {
-      good = line.reject("the wavelength " + formatNumber(*wavelength) + " nm is listed twice");
+      good = line.reject(std::string("the wavelength ").append(formatNumber(*wavelength)) + " nm is listed twice");
     } else {
       lines.wavelengths.push_back(*wavelength);
     }
@@ -63,7 +63,7 @@ bool Text::read(const Value& in, std::string& out) const {
   const auto value = in.string();
   // Names end up in tables, on terminals and as layers of images: nothing there that is not printable.
   if (!value || value->empty() || printable(*value, kMaxLength) != *value) {
-    return in.mustBe("a string of 1 to " + std::to_string(kMaxLength) +
+    return in.mustBe(std::string("a string of 1 to ").append(std::to_string(kMaxLength)) +
                      " characters, none of them a control character");
   }
   out = *value;
@@ -72,14 +72,14 @@ bool Text::read(const Value& in, std::string& out) const {
 
 bool Number::read(const Value& in, double& out) const {
   const auto value = in.numberIn(range);
-  if (!value) return in.mustBe("a number " + range.text());
+  if (!value) return in.mustBe(std::string("a number ").append(range.text()));
   out = *value;
   return true;
 }
 
 bool Angle::read(const Value& in, double& out) const {
   const auto value = in.numberIn(degreesRange);
-  if (!value) return in.mustBe("a number " + degreesRange.text() + " degrees");
+  if (!value) return in.mustBe(std::string("a number ").append(degreesRange.text()) + " degrees");
   out = radians(*value);
   return true;
 }
@@ -113,12 +113,13 @@ bool Resolution::read(const Value& in, std::array<int, 2>& out) const {
   const auto width = integerIn(isPair ? list->get(0) : nullptr, 1, kMaxSide);
   const auto height = integerIn(isPair ? list->get(1) : nullptr, 1, kMaxSide);
   if (!width || !height) {
-    return in.reject("'resolution' must be [width, height], integers from 1 to " + std::to_string(kMaxSide) +
-                     " pixels");
+    return in.reject(
+        std::string("'resolution' must be [width, height], integers from 1 to ").append(std::to_string(kMaxSide)) +
+        " pixels");
   }
   if (*width * *height > kMaxPixels) {
-    return in.reject("an image of " + std::to_string(*width * *height) + " pixels is too large; at most " +
-                     std::to_string(kMaxPixels));
+    return in.reject(std::string("an image of ").append(std::to_string(*width * *height)) +
+                     " pixels is too large; at most " + std::to_string(kMaxPixels));
   }
   out = {static_cast<int>(*width), static_cast<int>(*height)};
   return true;
@@ -141,9 +142,9 @@ bool Spectrum::read(const Value& in, SpectrumSettings& out) const {
   const toml::array* list = in.node.as_array();
   if (list && !list->empty()) return readWavelengths(in, *list, out);
   const auto names = acceptedNames<ContinuousSpectrum::Source>();
-  return in.mustBe(
-      "one of " + listNames(names) + ", a wavelength " + kVisibleNanometres.text() + " nm, or a list of wavelengths",
-      didYouMean(in.string().value_or(""), names));
+  return in.mustBe(std::string("one of ").append(listNames(names)) + ", a wavelength " + kVisibleNanometres.text() +
+                       " nm, or a list of wavelengths",
+                   didYouMean(in.string().value_or(""), names));
 }
 
 Json Spectrum::schema() const {
@@ -164,7 +165,7 @@ bool IceIndex::read(const Value& in, IceSettings& out) const {
     return true;
   }
   const auto index = in.numberIn(kIndexRange);
-  if (!index) return in.mustBe("\"warren-brandt\" or a number " + kIndexRange.text());
+  if (!index) return in.mustBe(std::string("\"warren-brandt\" or a number ").append(kIndexRange.text()));
   out = ConstantIce{*index};
   return true;
 }

@@ -116,7 +116,7 @@ struct Choice {
       return true;
     }
     const auto names = acceptedNames<E>();
-    return in.mustBe("one of " + listNames(names), didYouMean(in.string().value_or(""), names));
+    return in.mustBe(std::string("one of ").append(listNames(names)), didYouMean(in.string().value_or(""), names));
   }
   Json schema() const { return {{"enum", acceptedNames<E>()}}; }
   Json write(E value) const { return nameOf(value); }

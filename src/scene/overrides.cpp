@@ -87,7 +87,7 @@ class Override {
 
   /// The value as a TOML document in which it has the same column as in the override.
   toml::table parseValue(std::size_t equals) const {
-    const std::string margin = "v" + std::string(countCodePoints(text_.substr(0, equals)) - 1, ' ') + '=';
+    const std::string margin = std::string("v").append(countCodePoints(text_.substr(0, equals)) - 1, ' ') + '=';
     const std::string value = text_.substr(equals + 1);
     try {
       if (!findTextProblem(margin + value)) {
@@ -106,7 +106,8 @@ class Override {
     if (toml::array* list = parent.as_array()) return element(*list, segment);
     toml::table* table = parent.as_table();
     if (!table) {
-      complain(segment.source, "there is no '" + std::string(segment.text) + "' here: the scene has a plain value");
+      complain(segment.source,
+               std::string("there is no '").append(segment.text) + "' here: the scene has a plain value");
       return nullptr;
     }
     if (!table->contains(segment.text)) table->insert(toml::key(segment.text, segment.source), toml::table{});
@@ -130,7 +131,7 @@ class Override {
     std::string hint = didYouMean(segment.text, views);
     hint += (hint.empty() ? "" : " ") + std::string("accepted: an index from 0 to ") + std::to_string(list.size() - 1);
     for (const std::string& name : names) hint += name.empty() ? "" : ", " + name;
-    complain(segment.source, "no element '" + std::string(segment.text) + "' in this list", hint);
+    complain(segment.source, std::string("no element '").append(segment.text) + "' in this list", hint);
     return nullptr;
   }
 
@@ -145,7 +146,8 @@ class Override {
           if (&*at == old) return void(list->replace(at, std::move(node)));
         }
       } else {
-        complain(segment.source, "there is no '" + std::string(segment.text) + "' here: the scene has a plain value");
+        complain(segment.source,
+                 std::string("there is no '").append(segment.text) + "' here: the scene has a plain value");
       }
     });
   }

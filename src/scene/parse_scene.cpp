@@ -29,7 +29,7 @@ toml::table parseToml(std::string_view text, std::string_view fileName, Complain
   try {
     return toml::parse(text, fileName);
   } catch (const toml::parse_error& e) {
-    complaints.add(placeOf(e.source(), complaints), "not TOML: " + std::string(e.description()));
+    complaints.add(placeOf(e.source(), complaints), std::string("not TOML: ").append(e.description()));
   }
   complaints.throwIfAny();
   return {};

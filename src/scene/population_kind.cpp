@@ -64,7 +64,7 @@ void checkShape(TableReader& reader, const PopulationKeys& keys) {
   if (reader.rejected("shape")) return;
   for (const std::string_view key : {"upper", "lower", "slope"}) {
     if (keys.shape == ShapeName::pyramid || !reader.has(key)) continue;
-    reader.reject(key, "a prism has no '" + std::string(key) + "'", "it needs shape = \"pyramid\"");
+    reader.reject(key, std::string("a prism has no '").append(key) + "'", "it needs shape = \"pyramid\"");
   }
   const auto* aspect = std::get_if<FixedValue>(&keys.aspect);
   const bool isFlat = aspect && aspect->value == 0.0 && keys.pyramid.upper == 0.0 && keys.pyramid.lower == 0.0;
@@ -79,7 +79,7 @@ void checkOrientation(TableReader& reader, const PopulationKeys& keys) {
   if (name && *name != OrientationName::random) return;
   for (const std::string_view key : {"tilt", "roll"}) {
     if (!reader.has(key)) continue;
-    const std::string quoted = "'" + std::string(key) + "'";
+    const std::string quoted = std::string("'").append(key) + "'";
     if (name) {
       reader.reject(key, quoted + " means nothing with the orientation \"random\"",
                     "choose \"plate\", \"column\", \"parry\" or \"lowitz\"");
@@ -95,7 +95,7 @@ PopulationSettings readPopulation(TableReader& reader, std::size_t index) {
   reader.rejectUnknown();
   checkShape(reader, keys);
   checkOrientation(reader, keys);
-  const std::string name = keys.name.value_or("population " + std::to_string(index + 1));
+  const std::string name = keys.name.value_or(std::string("population ").append(std::to_string(index + 1)));
   return {name, keys.weight, shapeOf(keys), orientationOf(keys)};
 }
 
@@ -141,7 +141,7 @@ bool Orientation::read(const Value& in, OrientationWords& out) const {
     return true;
   }
   const auto names = acceptedNames<OrientationName>();
-  return in.mustBe("one of " + listNames(names) + " or { zenith = …, azimuth = …, roll = … }",
+  return in.mustBe(std::string("one of ").append(listNames(names)) + " or { zenith = …, azimuth = …, roll = … }",
                    didYouMean(in.string().value_or(""), names));
 }
 

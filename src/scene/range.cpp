@@ -6,9 +6,10 @@
 namespace parhelion {
 
 std::string Range::text() const {
-  const std::string low = loOpen ? "above " + formatNumber(lo) : "at least " + formatNumber(lo);
+  const std::string low =
+      loOpen ? std::string("above ").append(formatNumber(lo)) : std::string("at least ").append(formatNumber(lo));
   if (hi == std::numeric_limits<double>::max()) return low;
-  if (!loOpen && !hiOpen) return "from " + formatNumber(lo) + " to " + formatNumber(hi);
+  if (!loOpen && !hiOpen) return std::string("from ").append(formatNumber(lo)) + " to " + formatNumber(hi);
   return low + " and " + (hiOpen ? "below " : "at most ") + formatNumber(hi);
 }
 

@@ -9,15 +9,15 @@
 namespace parhelion {
 
 std::uint64_t parseRayCount(std::string_view text) {
-  const std::string expected =
-      "a whole number of rays from 1 to " + std::to_string(kMaxRays) + ", such as 100000, 2e6, \"1.5k\" or \"10M\"";
+  const std::string expected = std::string("a whole number of rays from 1 to ").append(std::to_string(kMaxRays)) +
+                               ", such as 100000, 2e6, \"1.5k\" or \"10M\"";
 
   // The suffix becomes an exponent, so that "2.3M" is rounded once, to exactly 2300000.
   std::string number(text);
   constexpr std::string_view kSuffixes = "kKmMgG";
   const std::size_t suffix = number.empty() ? std::string_view::npos : kSuffixes.find(number.back());
   if (suffix != std::string_view::npos)
-    number.replace(number.size() - 1, 1, "e" + std::to_string(3 * (suffix / 2 + 1)));
+    number.replace(number.size() - 1, 1, std::string("e").append(std::to_string(3 * (suffix / 2 + 1))));
 
   double rays = 0.0;
   const char* const end = number.data() + number.size();

@@ -37,7 +37,7 @@ std::string didYouMean(std::string_view word, std::span<const std::string_view> 
       closestDistance = distance;
     }
   }
-  return closest.empty() ? "" : "did you mean '" + std::string(closest) + "'?";
+  return closest.empty() ? "" : std::string("did you mean '").append(closest) + "'?";
 }
 
 }  // namespace parhelion

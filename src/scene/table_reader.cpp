@@ -22,11 +22,13 @@ void TableReader::rejectUnknown() {
   for (const auto& [key, node] : table_) {
     if (std::binary_search(sorted.begin(), sorted.end(), key.str())) continue;
     std::string hint = didYouMean(key.str(), sorted);
+    if (!hint.empty()) hint += ' ';
     const std::string homes = tablesWithKey(key.str());
-    if (!homes.empty()) hint += (hint.empty() ? "" : " ") + std::string("it belongs to ") + homes + ";";
-    hint += (hint.empty() ? "" : " ") + std::string("accepted: ") + list;
-    const std::string where = title_.empty() ? "" : " in " + std::string(title_);
-    complaints_.add(placeOf(key.source(), complaints_), "unknown key '" + printable(key.str(), 60) + "'" + where, hint);
+    if (!homes.empty()) hint.append("it belongs to ").append(homes).append("; ");
+    hint.append("accepted: ").append(list);
+    const std::string where = title_.empty() ? "" : std::string(" in ").append(title_);
+    complaints_.add(placeOf(key.source(), complaints_),
+                    std::string("unknown key '").append(printable(key.str(), 60)) + "'" + where, hint);
   }
 }
 

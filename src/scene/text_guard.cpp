@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/text_guard.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "scene/utf8.h"
@@ -11,7 +10,14 @@ namespace parhelion {
 namespace {
 
 // A scene needs four: population, orientation, zenith, normal.
-constexpr int kMaxNesting = 16;
+constexpr std::size_t kMaxNesting = 16;
+
+bool isBlank(char32_t c) { return c == ' ' || c == '\t'; }
+
+bool startsKey(char c) {
+  const bool isLetter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+  return isLetter || (c >= '0' && c <= '9') || c == '-' || c == '_' || c == '"' || c == '\'';
+}
 
 /// Walks through a TOML text keeping line, column and whether it is inside a string or a comment.
 class Scanner {
@@ -50,25 +56,50 @@ class Scanner {
     column_ += static_cast<int>(count);
   }
 
+  /// Quotation marks from here on; five, which end a long string, are as many as matter.
   std::size_t quotesHere(char quote) const {
     std::size_t count = 0;
-    while (at_ + count < text_.size() && text_[at_ + count] == quote) ++count;
+    while (count < 5 && at_ + count < text_.size() && text_[at_ + count] == quote) ++count;
     return count;
   }
 
   void scanCode(const CodePoint& c) {
     if (c.value >= 0x80) {
-      report("'" + std::string(text_.substr(at_, c.length)) + "' may stand only in strings and comments",
+      report(std::string("'").append(text_.substr(at_, c.length)) + "' may stand only in strings and comments",
              "write keys in plain letters and put text in quotation marks");
       return;
     }
+    if (c.value == '[' && startsLine_ && open_.empty()) checkHeader();
+    checkNumber(static_cast<char>(c.value));
+    if (problem_) return;
     countNesting(c.value);
+    startsLine_ = c.value == '\n' || (startsLine_ && isBlank(c.value));
     if (c.value == '"' || c.value == '\'') {
       openString(static_cast<char>(c.value));
     } else {
       if (c.value == '#') inside_ = Inside::comment;
       advance(c);
     }
+  }
+
+  /// A table's header, "[name]" or "[[name]]": toml++ 3.3.0 takes for granted that a name follows the bracket.
+  void checkHeader() {
+    std::size_t name = at_ + 1;
+    if (name < text_.size() && text_[name] == '[') ++name;
+    while (name < text_.size() && isBlank(static_cast<unsigned char>(text_[name]))) ++name;
+    if (name < text_.size() && startsKey(text_[name])) return;
+    skipAscii(name - at_);
+    report("the name of a table is missing here", "");
+  }
+
+  /// toml++ 3.3.0 reads on after a number up to the next blank or so, also into what is a string to everybody else.
+  void checkNumber(char c) {
+    if (inNumber_ && std::string_view("\"'[{=").find(c) != std::string_view::npos) {
+      report(std::string("a number cannot be followed by '") + c + "'", "");
+    }
+    if (startsWord_) inNumber_ = (c >= '0' && c <= '9') || c == '+' || c == '-' || c == '.';
+    startsWord_ = std::string_view(" \t\r\n]},#=[{").find(c) != std::string_view::npos;
+    inNumber_ = inNumber_ && !startsWord_;
   }
 
   void openString(char quote) {
@@ -86,6 +117,7 @@ class Scanner {
     const bool escapes = inside_ == Inside::basic || inside_ == Inside::longBasic;
     const char quote = escapes ? '"' : '\'';
     if (c.value == '\n' && !isLong) {
+      startsLine_ = startsWord_ = true;
       inside_ = Inside::code;  // the end of a comment, or of a string that the parser will complain about
     } else if (inside_ == Inside::comment) {
       // nothing but the end of the line matters
@@ -95,7 +127,7 @@ class Scanner {
       return;
     } else if (c.value == static_cast<char32_t>(quote) && (!isLong || quotesHere(quote) >= 3)) {
       // Up to two more quotation marks before the closing three belong to a long string.
-      skipAscii(isLong ? std::min<std::size_t>(quotesHere(quote), 5) : 1);
+      skipAscii(isLong ? quotesHere(quote) : 1);
       inside_ = Inside::code;
       return;
     }
@@ -103,13 +135,22 @@ class Scanner {
   }
 
   void countNesting(char32_t c) {
-    if (c == '[' || c == '{') ++brackets_;
-    if ((c == ']' || c == '}') && brackets_ > 0) --brackets_;
+    if (c == '[' || c == '{') open_ += static_cast<char>(c);
+    if (c == ']' || c == '}') closeBracket(static_cast<char>(c));
     if (c == '.') ++dots_;
     if (c == '\n' || c == '=' || c == ',' || c == '[' || c == '{') dots_ = 0;
-    if (brackets_ > kMaxNesting || dots_ > kMaxNesting) {
-      report("nested more than " + std::to_string(kMaxNesting) + " deep", "");
+    if (open_.size() > kMaxNesting || dots_ > kMaxNesting) {
+      report(std::string("nested more than ").append(std::to_string(kMaxNesting)) + " deep", "");
     }
+  }
+
+  /// Complains where the bracket closes one of the other kind, on which toml++ 3.3.0 does not count.
+  void closeBracket(char c) {
+    if (open_.empty()) return;  // the parser's to refuse
+    if ((open_.back() == '[') != (c == ']')) {
+      report(std::string("'") + c + "' cannot close the '" + open_.back() + "' before it", "");
+    }
+    open_.pop_back();
   }
 
   std::string_view text_;
@@ -117,8 +158,11 @@ class Scanner {
   int line_ = 1;
   int column_ = 1;
   Inside inside_ = Inside::code;
-  int brackets_ = 0;
-  int dots_ = 0;  // of the dotted key at hand
+  bool startsLine_ = true;  // nothing but blanks since the line began
+  bool startsWord_ = true;  // here a key or a value may begin
+  bool inNumber_ = false;   // in a word that begins like a number
+  std::string open_;        // the brackets that are not closed yet
+  std::size_t dots_ = 0;    // of the dotted key at hand
   std::optional<TextProblem> problem_;
 };
 

@@ -14,9 +14,10 @@ struct TextProblem {
   std::string hint;
 };
 
-/// Looks for what a TOML parser must not be given: bytes that are no UTF-8, non-ASCII text outside strings and comments
-/// (toml++ 3.3.0 has undefined behaviour on some of it, its issue 190), and nesting so deep that the stack of a
-/// recursive parser or destructor would be at risk. TOML's own grammar is left to the parser.
+/// Looks for what a TOML parser must not be given: bytes that are no UTF-8; nesting so deep that the stack of a
+/// recursive parser or destructor would be at risk; and what toml++ 3.3.0 has undefined behaviour on: some non-ASCII
+/// text outside strings and comments (its issue 190), also in a string right after a number, a table's header without
+/// a name, and brackets that close another kind. The rest of TOML's grammar is left to the parser.
 std::optional<TextProblem> findTextProblem(std::string_view text);
 
 }  // namespace parhelion

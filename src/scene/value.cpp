@@ -9,7 +9,8 @@ namespace {
 
 /// What the user wrote, in words.
 std::string given(const toml::node& node) {
-  if (const auto text = node.value_exact<std::string>()) return "the string \"" + printable(*text, 40) + '"';
+  if (const auto text = node.value_exact<std::string>())
+    return std::string("the string \"").append(printable(*text, 40)) + '"';
   if (node.is_integer()) return std::to_string(*node.value<std::int64_t>());
   if (const auto number = node.value_exact<double>()) return formatNumber(*number);
   if (const auto flag = node.value_exact<bool>()) return *flag ? "true" : "false";
@@ -36,7 +37,7 @@ bool Value::reject(const std::string& message, const std::string& hint) const {
 }
 
 bool Value::mustBe(const std::string& what, const std::string& hint) const {
-  return reject("'" + std::string(key) + "' must be " + what + ", not " + given(node), hint);
+  return reject(std::string("'").append(key) + "' must be " + what + ", not " + given(node), hint);
 }
 
 std::optional<double> Value::numberIn(const Range& range) const {

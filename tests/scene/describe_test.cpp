@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/describe.h"
+
+#include <doctest/doctest.h>
+
+#include "scene/names.h"
+#include "scene_support.h"
+
+using namespace parhelion;
+using namespace parhelion::test;
+
+TEST_CASE("a summary shows a scene in degrees, one line a population") {
+  CHECK(
+      describeScene(sceneOf(kExample)) ==
+      "sun         elevation 20°, diameter 0.533°, spectrum sun, not drawn\n"
+      "ice         index of Warren & Brandt 2008\n"
+      "population  plates: 60 % of the surface; prism, aspect 0.1; c axis at zenith angle 0°, normal, sigma 1°; "
+      "azimuth free; roll free\n"
+      "population  free: 40 % of the surface; prism, aspect 2; c axis at zenith angle 90°; azimuth free; roll 0°, "
+      "normal, sigma 5°\n"
+      "camera      fisheye-equal-area toward azimuth 0°, elevation 90°, roll 0°; 180° horizontal, 1024 x 1024 pixels\n"
+      "trace       10000000 rays, seed 1, engine embree, path split\n"
+      "recon       adaptive\n");
+}
+
+TEST_CASE("a summary shows lines, constant ice, pyramids and Lowitz orientations") {
+  const std::string text = describeScene(sceneOf(
+      "sun.spectrum = [450, 650]\nice.index = 1.31\n[[population]]\nshape = 'pyramid'\norientation = 'lowitz'"));
+  CHECK(text.find("450, 650 nm") != std::string::npos);
+  CHECK(text.find("index 1.31\n") != std::string::npos);
+  CHECK(text.find("pyramid, aspect 1, upper 0.5, lower 0.5, slope 28°") != std::string::npos);
+  CHECK(text.find("lowitz axis at zenith angle 90°; spin free") != std::string::npos);
+}
+
+TEST_CASE("enumerations have the names that scene files use") {
+  CHECK(nameOf(Engine::embreeRobust) == "embree-robust");
+  CHECK(nameOf(PathMode::split) == "split");
+  CHECK(nameOf(ReconMethod::adaptive) == "adaptive");
+  CHECK(nameOf(Projection::fisheyeEqualArea) == "fisheye-equal-area");
+}

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/suggest.h"
+
+#include <doctest/doctest.h>
+
+#include <array>
+
+#include "scene_support.h"
+
+using namespace parhelion;
+using namespace parhelion::test;
+
+TEST_CASE("edit distance counts insertions, deletions, replacements and swaps of neighbours") {
+  CHECK(editDistance("", "abc") == 3);
+  CHECK(editDistance("abc", "") == 3);
+  CHECK(editDistance("kitten", "sitting") == 3);
+  CHECK(editDistance("elevatoin", "elevation") == 1);
+  CHECK(editDistance("ab", "ba") == 1);
+  CHECK(editDistance("same", "same") == 0);
+}
+
+TEST_CASE("the closest name is suggested only where it is within a third of its length") {
+  constexpr std::array<std::string_view, 3> kNames{"elevation", "roll", "rays"};
+  CHECK(didYouMean("elvaton", kNames) == "did you mean 'elevation'?");
+  CHECK(didYouMean("rols", kNames) == "did you mean 'roll'?");
+  CHECK(didYouMean("weight", kNames).empty());
+  CHECK(didYouMean("", kNames).empty());
+}
+
+TEST_CASE("an unknown key is answered with the closest key, the accepted ones and the table it belongs to") {
+  CHECK(errorsOf("[sun]\nelevatoin = 1\n[[population]]").at(0).hint ==
+        "did you mean 'elevation'? accepted: diameter, elevation, spectrum, visible");
+  CHECK(errorsOf("[sun]\nrays = 1\n[[population]]").at(0).hint ==
+        "it belongs to [trace]; accepted: diameter, elevation, spectrum, visible");
+  CHECK(errorsOf("elevation = 1\n[[population]]").at(0).hint ==
+        "it belongs to [sun] or [camera]; accepted: camera, ice, population, recon, sun, trace");
+  CHECK(errorsOf("[camera]\ntilt = 1\n[[population]]").at(0).hint.starts_with("it belongs to [[population]];"));
+  CHECK(errorsOf("[[populations]]\n").at(1).hint.starts_with("did you mean 'population'?"));
+}
+
+TEST_CASE("a misspelt name of an enumeration is answered with the closest one") {
+  CHECK(errorsOf("[[population]]\norientation = 'plates'").at(0).hint == "did you mean 'plate'?");
+  CHECK(errorsOf("[[population]]\n[camera]\nprojection = 'fisheye-equiarea'").at(0).hint ==
+        "did you mean 'fisheye-equal-area'?");
+  CHECK(errorsOf("[[population]]\norientation = 'plate'\ntilt = { unifrm = 1 }").at(0).hint ==
+        "did you mean 'uniform'?");
+}
