@@ -88,7 +88,7 @@ TEST_CASE("a picture comes back from its file as it was, with its attributes") {
   CHECK(directory.names().size() == 1);
 }
 
-TEST_CASE("a picture's file says Rec.709 and is the same bytes each time; SOURCE_DATE_EPOCH dates it") {
+TEST_CASE("a picture's file says Rec.709 and is the same bytes each time, dated by SOURCE_DATE_EPOCH") {
   const TemporaryDirectory directory;
   writeBeautyExr(directory / "a.exr", picture(20, 20), {});
   writeBeautyExr(directory / "b.exr", picture(20, 20), {});
