@@ -111,8 +111,8 @@ OrientationSampler::Kind OrientationSampler::build(const OrientationSettings& se
 
 Mat3 OrientationSampler::sample(double u1, double u2, double u3) const {
   return std::visit(Overloaded{[&](const Random&) {
-                                 // The cosine of the zenith angle is uniform; half-angle form, exact near both poles.
-                                 const double zenith = 2.0 * portable::atan2(std::sqrt(u1), std::sqrt(1.0 - u1));
+                                 // The cosine of the zenith angle is uniform; this sine is exact near both poles.
+                                 const portable::SinCos zenith{2.0 * std::sqrt(u1 * (1.0 - u1)), 1.0 - 2.0 * u1};
                                  return crystalOrientation(zenith, 2.0 * kPi * u2, 2.0 * kPi * u3);
                                },
                                [&](const Axis& axis) {

@@ -5,8 +5,6 @@
 
 #include <glm/geometric.hpp>
 
-#include "math/portable.h"
-
 namespace parhelion {
 
 Vec3 skyDirection(double azimuth, double elevation) {
@@ -42,8 +40,17 @@ Mat3 rotationZ(double angle) {
 }
 
 Mat3 crystalOrientation(double zenith, double azimuth, double roll) {
-  // Sky azimuth grows clockwise seen from above, a rotation about +z counter-clockwise.
-  return rotationZ(-azimuth) * rotationY(zenith) * rotationZ(roll);
+  return crystalOrientation(portable::sincos(zenith), azimuth, roll);
+}
+
+Mat3 crystalOrientation(const portable::SinCos& zenith, double azimuth, double roll) {
+  // Rz(-azimuth) Ry(zenith) Rz(roll), multiplied out: sky azimuth grows clockwise seen from above, a rotation about +z
+  // counter-clockwise.
+  const auto [sz, cz] = zenith;
+  const auto [sa, ca] = portable::sincos(azimuth);
+  const auto [sr, cr] = portable::sincos(roll);
+  return Mat3(Vec3(ca * cz * cr + sa * sr, -sa * cz * cr + ca * sr, -sz * cr),
+              Vec3(-ca * cz * sr + sa * cr, sa * cz * sr + ca * cr, sz * sr), Vec3(ca * sz, -sa * sz, cz));
 }
 
 Mat3 frameAround(const Vec3& axis) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "math/conventions.h"
+#include "math/portable.h"
 
 namespace parhelion {
 
@@ -28,6 +29,9 @@ Mat3 rotationZ(double angle);
 /// turned by `roll` about that axis. At roll 0 the normals of faces 3 and 6 lie in the vertical plane through the c
 /// axis.
 Mat3 crystalOrientation(double zenith, double azimuth, double roll);
+
+/// The same from sine and cosine of the zenith angle, for those who have them already.
+Mat3 crystalOrientation(const portable::SinCos& zenith, double azimuth, double roll);
 
 /// A right-handed orthonormal frame as matrix columns (x, y, `axis`); `axis` is a unit vector.
 Mat3 frameAround(const Vec3& axis);

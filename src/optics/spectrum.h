@@ -32,6 +32,11 @@ class Spectrum {
   /// XYZ of all the light together, Y = 1.
   const Vec3& white() const { return white_; }
 
+  /// How many rays share everything but their wavelength, so that their colours nearly add up to white wherever
+  /// dispersion does not part them: every line of a list, a complementary pair of continuous light. A pair costs no
+  /// more luminance noise for the time it takes than single rays would, and has a fifth of their colour noise.
+  int bundleSize() const { return lines_.empty() ? 2 : static_cast<int>(lines_.size()); }
+
   /// 1 for monochromatic light, which has luminance only; else 3.
   int colours() const { return lines_.size() == 1 ? 1 : 3; }
 

@@ -13,13 +13,13 @@ namespace parhelion {
 
 namespace {
 
-/// Quantile of ray `index` for its wavelength: the golden ratio's multiples fill [0, 1) evenly over any run of
-/// consecutive rays, in integers so that no digits are lost at high indices.
-double wavelengthQuantile(std::uint64_t seed, std::uint64_t index) {
+/// A number in (0, 1) for each bundle: the golden ratio's multiples fill the interval evenly over any run of
+/// consecutive bundles, in integers so that no digits are lost at high indices.
+double goldenQuantile(std::uint64_t seed, std::uint64_t bundle) {
   constexpr std::uint64_t kGolden = 0x9E3779B97F4A7C15;  // 2^64 / golden ratio
   const auto start =
       philox4x32({0, 0, 0, 0}, {static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32)});
-  return toUnitInterval((std::uint64_t{start[1]} << 32 | start[0]) + index * kGolden);
+  return toUnitInterval((std::uint64_t{start[1]} << 32 | start[0]) + bundle * kGolden);
 }
 
 }  // namespace
@@ -64,7 +64,8 @@ Cloud::Proposal Cloud::propose(int population, Random& random) const {
 }
 
 IncidentRay Cloud::incidentRay(std::uint64_t seed, std::uint64_t index) const {
-  RandomStream random(seed, index, RandomPurpose::incidence);
+  const std::uint64_t bundle = index / bundleSize();
+  RandomStream random(seed, bundle, RandomPurpose::incidence);
   while (true) {
     // Propose a population by weight * bound and a crystal of it, accept in proportion to interception / bound. Where
     // the interception exceeds the bound the ray carries the excess as weight, so the result never depends on the
@@ -78,7 +79,7 @@ IncidentRay Cloud::incidentRay(std::uint64_t seed, std::uint64_t index) const {
     if (random.next() >= ratio) continue;
 
     IncidentRay ray;
-    ray.index = index;
+    ray.bundle = bundle;
     ray.population = population;
     ray.crystal = p.crystal;
     ray.crystalToWorld = p.crystalToWorld;
@@ -87,11 +88,19 @@ IncidentRay Cloud::incidentRay(std::uint64_t seed, std::uint64_t index) const {
     ray.projectedArea = p.area;
     const double v1 = random.next(), v2 = random.next(), v3 = random.next();
     ray.entry = sampleEntry(p.crystal, p.lightDirCrystal, v1, v2, v3);
-    ray.light = spectrum_.sample(wavelengthQuantile(seed, index));
-    ray.iceIndex = refractiveIndex(ice_, ray.light.wavelength);
     ray.weight = std::max(1.0, ratio);
-    return ray;
+    return sibling(ray, seed, index);
   }
+}
+
+IncidentRay Cloud::sibling(const IncidentRay& ray, std::uint64_t seed, std::uint64_t index) const {
+  // The wavelengths of a bundle stand at equal distances in the spectrum, from a start that differs between bundles.
+  const auto member = static_cast<double>(index % bundleSize());
+  IncidentRay other = ray;
+  other.index = index;
+  other.light = spectrum_.sample((member + goldenQuantile(seed, ray.bundle)) / bundleSize());
+  other.iceIndex = refractiveIndex(ice_, other.light.wavelength);
+  return other;
 }
 
 }  // namespace parhelion

@@ -14,6 +14,7 @@ namespace parhelion {
 /// One ray of sunlight as it meets a crystal.
 struct IncidentRay {
   std::uint64_t index = 0;
+  std::uint64_t bundle = 0;  // of rays that differ in wavelength alone
   int population = 0;
   Crystal crystal{};
   Mat3 crystalToWorld{1.0};
@@ -32,9 +33,15 @@ class Cloud {
   /// Throws std::invalid_argument when no population has any weight.
   Cloud(const SunSettings& sun, const IceSettings& ice, std::span<const PopulationSettings> populations);
 
+  /// Rays k * bundleSize() ... (k + 1) * bundleSize() - 1 share everything but their wavelength; see Spectrum.
+  int bundleSize() const { return spectrum_.bundleSize(); }
+
   /// The ray `index` of the sequence `seed`: a pure function of its arguments. Rays are distributed like the light that
   /// the crystals intercept: each crystal in proportion to its projected area in its own orientation.
   IncidentRay incidentRay(std::uint64_t seed, std::uint64_t index) const;
+
+  /// Ray `index` from any other ray of its bundle; incidentRay(seed, index) without drawing anew.
+  IncidentRay sibling(const IncidentRay& ray, std::uint64_t seed, std::uint64_t index) const;
 
   const Sun& sun() const { return sun_; }
   const Spectrum& spectrum() const { return spectrum_; }

@@ -34,7 +34,7 @@ class Walk {
         ray_(path.incident),
         path_(path),
         splitAbove_(settings.path == PathMode::chance ? std::numeric_limits<double>::infinity() : kSplitEnergy),
-        random_(settings.seed, ray_.index, RandomPurpose::path) {}
+        random_(settings.seed, ray_.bundle, RandomPurpose::path) {}
 
   void run() {
     energy_ = ray_.weight;
@@ -128,6 +128,17 @@ void followRay(const Cloud& cloud, const Engines& engines, const TraceSettings& 
                LightPath& path) {
   path.incident = cloud.incidentRay(settings.seed, index);
   followLight(engines[path.incident.population], settings, path);
+}
+
+void followBundle(const Cloud& cloud, const Engines& engines, const TraceSettings& settings, std::uint64_t bundle,
+                  std::vector<LightPath>& paths) {
+  const std::uint64_t size = cloud.bundleSize(), first = bundle * size;
+  paths.resize(std::min(size, settings.rays - first));
+  followRay(cloud, engines, settings, first, paths[0]);
+  for (std::uint64_t k = 1; k < paths.size(); ++k) {
+    paths[k].incident = cloud.sibling(paths[0].incident, settings.seed, first + k);
+    followLight(engines[paths[k].incident.population], settings, paths[k]);
+  }
 }
 
 }  // namespace parhelion

@@ -51,4 +51,8 @@ void followLight(const EmbreeIntersector& engine, const TraceSettings& settings,
 void followRay(const Cloud& cloud, const Engines& engines, const TraceSettings& settings, std::uint64_t index,
                LightPath& path);
 
+/// The same for all rays of a bundle below settings.rays; `paths` is made as long as they are many.
+void followBundle(const Cloud& cloud, const Engines& engines, const TraceSettings& settings, std::uint64_t bundle,
+                  std::vector<LightPath>& paths);
+
 }  // namespace parhelion

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 
 #include "trace/light_path.h"
 
@@ -12,7 +13,8 @@ class PathTally {
  public:
   virtual ~PathTally() = default;
 
-  virtual void add(const LightPath& path) = 0;
+  /// Adds the paths of one bundle: rays that differ in wavelength alone, and whose light is therefore correlated.
+  virtual void add(std::span<const LightPath> bundle) = 0;
 
   /// An empty tally of the same kind for one thread, to be given to merge() in the end.
   virtual std::unique_ptr<PathTally> forThread() = 0;

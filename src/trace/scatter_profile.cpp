@@ -14,27 +14,39 @@ namespace parhelion {
 ScatterProfile::ScatterProfile(int bins, double from, double to)
     : from_(from), width_((to - from) / bins), bins_(bins) {}
 
-void ScatterProfile::add(const LightPath& path) {
-  const double light = path.incident.light.light;
+int ScatterProfile::binAt(double angle) const {
+  // The last bin is closed: light straight back belongs to it.
+  const double position = (angle - from_) / width_;
+  const int last = bins_.size() - 1;
+  if (position < 0.0 || position > (last + 1) * (1.0 + 1e-12)) return kNoBin;
+  return std::min(static_cast<int>(position), last);
+}
+
+void ScatterProfile::add(std::span<const LightPath> bundle) {
   deposits_.clear();
   double cosine = 0.0;
-  for (const Exit& exit : path.exits) {
-    const double angle = exit.undeviated ? 0.0 : angleBetween(path.incident.lightDirWorld, exit.lightDirWorld);
-    // The last bin is closed: light straight back belongs to it.
-    const int bin = std::min(static_cast<int>(std::floor((angle - from_) / width_)), bins_.size());
-    const bool atEnd = bin == bins_.size() && angle <= from_ + width_ * (bins_.size() + 1e-12);
-    if (bin >= 0 && (bin < bins_.size() || atEnd)) deposits_.add(bin - atEnd, exit.energy * light);
-    cosine += exit.energy * (exit.undeviated ? 1.0 : glm::dot(path.incident.lightDirWorld, exit.lightDirWorld));
-    if (exit.undeviated) undeviated_.add(exit.energy * light);
-    if (exit.order >= static_cast<int>(byOrder_.size())) byOrder_.resize(exit.order + 1);
-    byOrder_[exit.order].add(exit.energy * light);
-  }
+  for (const LightPath& path : bundle) cosine += addPath(path);
   bins_.add(deposits_);
+  cosine_.add(cosine);
+  cosineSquared_.add(cosine * cosine);
+  ++bundles_;
+}
+
+double ScatterProfile::addPath(const LightPath& path) {
+  const double light = path.incident.light.light;
+  double cosine = 0.0;
+  for (const Exit& exit : path.exits) {
+    const double energy = exit.energy * light;
+    const double angle = exit.undeviated ? 0.0 : angleBetween(path.incident.lightDirWorld, exit.lightDirWorld);
+    if (const int bin = binAt(angle); bin != kNoBin) deposits_.add(bin, energy);
+    cosine += energy * (exit.undeviated ? 1.0 : glm::dot(path.incident.lightDirWorld, exit.lightDirWorld));
+    if (exit.undeviated) undeviated_.add(energy);
+    if (exit.order >= static_cast<int>(byOrder_.size())) byOrder_.resize(exit.order + 1);
+    byOrder_[exit.order].add(energy);
+  }
 
   ++rays_;
   intercepted_.add(path.incident.weight * light);
-  cosine_.add(cosine * light);
-  cosineSquared_.add(cosine * light * cosine * light);
   path_.add(path.internalPath * light);
   cutOff_.add(path.cutOff * light);
   lost_.add(path.lost * light);
@@ -43,6 +55,7 @@ void ScatterProfile::add(const LightPath& path) {
   perArea_.add(perArea);
   surfacePerArea_.add(perArea * path.incident.crystal.surface());
   volumePerArea_.add(perArea * path.incident.crystal.volume());
+  return cosine;
 }
 
 std::unique_ptr<PathTally> ScatterProfile::forThread() {
@@ -53,6 +66,7 @@ void ScatterProfile::merge(const PathTally& fromThread) {
   const auto& other = dynamic_cast<const ScatterProfile&>(fromThread);
   bins_.merge(other.bins_);
   rays_ += other.rays_;
+  bundles_ += other.bundles_;
   for (const auto sum :
        {&ScatterProfile::intercepted_, &ScatterProfile::undeviated_, &ScatterProfile::cosine_,
         &ScatterProfile::cosineSquared_, &ScatterProfile::path_, &ScatterProfile::cutOff_, &ScatterProfile::lost_,
@@ -70,7 +84,8 @@ std::vector<ScatterProfile::Bin> ScatterProfile::bins() const {
     const double energy = all > 0.0 ? bins_.light(i) / all : 0.0;
     // cos(from) - cos(to), in the form that does not cancel for narrow bins.
     const double solidAngle = 4.0 * kPi * portable::sin(0.5 * (from + to)) * portable::sin(0.5 * (to - from));
-    bins.push_back({from, to, energy, all > 0.0 ? bins_.error(i, rays_) / all : 0.0, 4.0 * kPi * energy / solidAngle});
+    bins.push_back(
+        {from, to, energy, all > 0.0 ? bins_.error(i, bundles_) / all : 0.0, 4.0 * kPi * energy / solidAngle});
   }
   return bins;
 }
@@ -80,8 +95,8 @@ ScatterProfile::Summary ScatterProfile::summary() const {
   Summary s{};
   s.rays = rays_;
   s.g = cosine_.value() / all;
-  const double rays = std::max(1.0, static_cast<double>(rays_));
-  s.gError = std::sqrt(std::max(0.0, cosineSquared_.value() - cosine_.value() * cosine_.value() / rays)) / all;
+  const double bundles = std::max(1.0, static_cast<double>(bundles_));
+  s.gError = std::sqrt(std::max(0.0, cosineSquared_.value() - cosine_.value() * cosine_.value() / bundles)) / all;
   s.undeviated = undeviated_.value() / all;
   for (const ExactSum& order : byOrder_) s.byOrder.push_back(order.value() / all);
   s.external = s.byOrder.empty() ? 0.0 : s.byOrder[0];

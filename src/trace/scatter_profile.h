@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "math/exact_sum.h"
+#include "trace/bundle_bins.h"
 #include "trace/path_tally.h"
-#include "trace/ray_bins.h"
 
 namespace parhelion {
 
@@ -16,7 +16,7 @@ class ScatterProfile : public PathTally {
   /// `bins` equal bins over [from, to] (rad, within [0, pi]); light outside them counts for the summary only.
   ScatterProfile(int bins, double from, double to);
 
-  void add(const LightPath& path) override;
+  void add(std::span<const LightPath> bundle) override;
   std::unique_ptr<PathTally> forThread() override;
   void merge(const PathTally& fromThread) override;
 
@@ -41,11 +41,17 @@ class ScatterProfile : public PathTally {
   Summary summary() const;
 
  private:
-  double from_, width_;
-  RayBins bins_;
-  RayDeposits deposits_;
+  static constexpr int kNoBin = -1;
+  int binAt(double angle) const;
 
-  std::uint64_t rays_ = 0;
+  /// Adds one path of a bundle; returns its light times the cosine of the scattering angle.
+  double addPath(const LightPath& path);
+
+  double from_, width_;
+  BundleBins bins_;
+  BundleDeposits<double> deposits_;
+
+  std::uint64_t rays_ = 0, bundles_ = 0;
   ExactSum intercepted_, undeviated_, cosine_, cosineSquared_, path_, cutOff_, lost_;
   ExactSum perArea_, surfacePerArea_, volumePerArea_;  // sums over rays of 1 / A, S / A, V / A; A the projected area
   std::vector<ExactSum> byOrder_;

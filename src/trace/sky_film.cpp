@@ -3,18 +3,20 @@
 
 namespace parhelion {
 
-void SkyFilm::add(const LightPath& path) {
-  const SpectralSample& light = path.incident.light;
-  intercepted_ += toFixed(path.incident.weight * light.light);
+void SkyFilm::add(std::span<const LightPath> bundle) {
   deposits_.clear();
-  for (const Exit& exit : path.exits) {
-    if (exit.undeviated)
-      undeviated_ += toFixed(exit.energy * light.light);
-    else if (const auto pixel = camera_.pixelAt(-exit.lightDirWorld))
-      deposits_.add(*pixel, exit.energy);
+  for (const LightPath& path : bundle) {
+    const SpectralSample& light = path.incident.light;
+    intercepted_ += toFixed(path.incident.weight * light.light);
+    for (const Exit& exit : path.exits) {
+      if (exit.undeviated)
+        undeviated_ += toFixed(exit.energy * light.light);
+      else if (const auto pixel = camera_.pixelAt(-exit.lightDirWorld))
+        deposits_.add(*pixel, exit.energy * light.xyz);
+    }
   }
-  const bool firstHalf = path.incident.index % 2 == 0;
-  for (const auto& [pixel, energy] : deposits_.all()) tally_.add(pixel, energy * light.xyz, firstHalf);
+  const bool firstHalf = bundle.front().incident.bundle % 2 == 0;
+  for (const auto& [pixel, xyz] : deposits_.all()) tally_.add(pixel, xyz, firstHalf);
 }
 
 void SkyFilm::merge(const PathTally& fromThread) {

@@ -4,8 +4,8 @@
 #include "image/camera.h"
 #include "image/tally.h"
 #include "math/exact_sum.h"
+#include "trace/bundle_bins.h"
 #include "trace/path_tally.h"
-#include "trace/ray_bins.h"
 
 namespace parhelion {
 
@@ -16,14 +16,14 @@ class SkyFilm : public PathTally {
   /// `tally` must outlive the film; its info's camera is the one looked through.
   explicit SkyFilm(Tally& tally) : tally_(tally), camera_(tally.info.camera) {}
 
-  void add(const LightPath& path) override;
+  void add(std::span<const LightPath> bundle) override;
   std::unique_ptr<PathTally> forThread() override { return std::make_unique<SkyFilm>(tally_); }
   void merge(const PathTally& fromThread) override;
 
  private:
   Tally& tally_;
   Camera camera_;
-  RayDeposits deposits_;
+  BundleDeposits<Vec3> deposits_;
   std::int64_t intercepted_ = 0, undeviated_ = 0;
 };
 

@@ -19,13 +19,16 @@ int SkyMap::binAt(const Vec3& toSky) const {
   return std::clamp(row, 0, rows() - 1) * columns() + column % columns();
 }
 
-void SkyMap::add(const LightPath& path) {
+void SkyMap::add(std::span<const LightPath> bundle) {
   deposits_.clear();
-  for (const Exit& exit : path.exits)
-    deposits_.add(binAt(exit.undeviated ? toSun_ : -exit.lightDirWorld), exit.energy * path.incident.light.light);
+  for (const LightPath& path : bundle) {
+    const double light = path.incident.light.light;
+    for (const Exit& exit : path.exits)
+      deposits_.add(binAt(exit.undeviated ? toSun_ : -exit.lightDirWorld), exit.energy * light);
+    intercepted_.add(path.incident.weight * light);
+  }
   bins_.add(deposits_);
-  ++rays_;
-  intercepted_.add(path.incident.weight * path.incident.light.light);
+  ++bundles_;
 }
 
 std::unique_ptr<PathTally> SkyMap::forThread() { return std::make_unique<SkyMap>(toSun_, binsPerHalfTurn_); }
@@ -33,7 +36,7 @@ std::unique_ptr<PathTally> SkyMap::forThread() { return std::make_unique<SkyMap>
 void SkyMap::merge(const PathTally& fromThread) {
   const auto& other = dynamic_cast<const SkyMap&>(fromThread);
   bins_.merge(other.bins_);
-  rays_ += other.rays_;
+  bundles_ += other.bundles_;
   intercepted_.merge(other.intercepted_);
 }
 
@@ -42,11 +45,11 @@ double SkyMap::azimuth(int column) const { return (column - binsPerHalfTurn_) * 
 double SkyMap::elevation(int row) const { return (row - binsPerHalfTurn_ / 2) * (kPi / binsPerHalfTurn_); }
 
 double SkyMap::energy(int column, int row) const {
-  return rays_ > 0 ? bins_.light(row * columns() + column) / intercepted_.value() : 0.0;
+  return bundles_ > 0 ? bins_.light(row * columns() + column) / intercepted_.value() : 0.0;
 }
 
 double SkyMap::error(int column, int row) const {
-  return rays_ > 0 ? bins_.error(row * columns() + column, rays_) / intercepted_.value() : 0.0;
+  return bundles_ > 0 ? bins_.error(row * columns() + column, bundles_) / intercepted_.value() : 0.0;
 }
 
 }  // namespace parhelion

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "math/exact_sum.h"
+#include "trace/bundle_bins.h"
 #include "trace/path_tally.h"
-#include "trace/ray_bins.h"
 
 namespace parhelion {
 
@@ -17,7 +17,7 @@ class SkyMap : public PathTally {
   /// `binsPerHalfTurn` columns make 180 degrees: 180 for steps of one degree.
   SkyMap(const Vec3& toSun, int binsPerHalfTurn);
 
-  void add(const LightPath& path) override;
+  void add(std::span<const LightPath> bundle) override;
   std::unique_ptr<PathTally> forThread() override;
   void merge(const PathTally& fromThread) override;
 
@@ -35,9 +35,9 @@ class SkyMap : public PathTally {
 
   Vec3 toSun_;
   int binsPerHalfTurn_;
-  RayBins bins_;
-  RayDeposits deposits_;
-  std::uint64_t rays_ = 0;
+  BundleBins bins_;
+  BundleDeposits<double> deposits_;
+  std::uint64_t bundles_ = 0;
   ExactSum intercepted_;
 };
 

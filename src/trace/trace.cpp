@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <stdexcept>
 
 #include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
@@ -15,27 +16,29 @@ namespace parhelion {
 
 namespace {
 
-// Rays between two looks at the clock and the stop flag: a fraction of a second on one core.
-constexpr std::uint64_t kBatch = 1 << 17;
-// Rays a thread takes at a time.
-constexpr std::uint64_t kGrain = 1024;
+// Bundles of rays between two looks at the clock and the stop flag: a fraction of a second on one core.
+constexpr std::uint64_t kBatch = 1 << 16;
+// Bundles a thread takes at a time.
+constexpr std::uint64_t kGrain = 512;
 
 /// What one thread keeps to itself.
 struct Worker {
   std::unique_ptr<PathTally> tally;
-  LightPath path;
+  std::vector<LightPath> paths;
   TraceReport report;
-};
 
-void followInto(Worker& worker, const Cloud& cloud, const Engines& engines, const TraceSettings& settings,
-                std::uint64_t index) {
-  followRay(cloud, engines, settings, index, worker.path);
-  worker.tally->add(worker.path);
-  worker.report.energy.add(worker.path);
-  worker.report.hits += worker.path.hits;
-  worker.report.deposits += worker.path.exits.size();
-  worker.report.rescued += worker.path.rescued;
-}
+  void follow(const Cloud& cloud, const Engines& engines, const TraceSettings& settings, std::uint64_t bundle) {
+    followBundle(cloud, engines, settings, bundle, paths);
+    tally->add(paths);
+    for (const LightPath& path : paths) {
+      report.rays += 1;
+      report.energy.add(path);
+      report.hits += path.hits;
+      report.deposits += path.exits.size();
+      report.rescued += path.rescued;
+    }
+  }
+};
 
 }  // namespace
 
@@ -61,6 +64,8 @@ double EnergyLedger::imbalance() const {
 
 TraceReport traceRays(const Cloud& cloud, const TraceSettings& settings, std::uint64_t firstRay, PathTally& tally,
                       const TraceControl& control) {
+  const std::uint64_t bundleSize = cloud.bundleSize();
+  if (firstRay % bundleSize != 0) throw std::invalid_argument("a run must start with the first ray of a bundle");
   const Engines engines = makeEngines(cloud, settings.engine);
   // TBB keeps to the number of processors unless it is told that more threads are wanted.
   const int threads = control.threads > 0 ? control.threads : tbb::this_task_arena::max_concurrency();
@@ -71,26 +76,27 @@ TraceReport traceRays(const Cloud& cloud, const TraceSettings& settings, std::ui
   TraceReport report;
   report.firstRay = firstRay;
   const auto start = std::chrono::steady_clock::now();
-  std::uint64_t next = firstRay;
-  while (next < settings.rays && !report.interrupted) {
-    const std::uint64_t end = std::min(next + kBatch, settings.rays);
+  const std::uint64_t endBundle = (settings.rays + bundleSize - 1) / bundleSize;
+  std::uint64_t next = firstRay / bundleSize;
+  while (next < endBundle && !report.interrupted) {
+    const std::uint64_t end = std::min(next + kBatch, endBundle);
     arena.execute([&] {
       tbb::parallel_for(tbb::blocked_range<std::uint64_t>(next, end, kGrain), [&](const auto& block) {
         Worker& worker = workers.local();
-        for (std::uint64_t index = block.begin(); index < block.end(); ++index)
-          followInto(worker, cloud, engines, settings, index);
+        for (std::uint64_t bundle = block.begin(); bundle < block.end(); ++bundle)
+          worker.follow(cloud, engines, settings, bundle);
       });
     });
     next = end;
     report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    if (control.onProgress) control.onProgress(next - firstRay, report.seconds);
     const bool stopped = (control.stop && *control.stop) || report.seconds >= control.timeLimit;
-    report.interrupted = stopped && next < settings.rays;
+    report.interrupted = stopped && next < endBundle;
+    if (control.onProgress) control.onProgress(std::min(next * bundleSize, settings.rays) - firstRay, report.seconds);
   }
 
-  report.rays = next - firstRay;
   for (const Worker& worker : workers) {
     tally.merge(*worker.tally);
+    report.rays += worker.report.rays;
     report.energy.merge(worker.report.energy);
     report.hits += worker.report.hits;
     report.deposits += worker.report.deposits;

@@ -38,7 +38,7 @@ inline Vec3 randomDirection(RandomStream& random) {
 inline LightPath lightAt(const Crystal& crystal, const Vec3& lightDir, int face, const Vec3& point, std::uint64_t index,
                          double iceIndex = 1.31) {
   LightPath path;
-  path.incident.index = index;
+  path.incident.index = path.incident.bundle = index;
   path.incident.crystal = crystal;
   path.incident.lightDirWorld = path.incident.lightDirCrystal = lightDir;
   path.incident.entry = {face, point};

@@ -1,28 +1,28 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "trace/ray_bins.h"
+#include "trace/bundle_bins.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace parhelion {
 
-void RayBins::add(const RayDeposits& ray) {
-  for (const auto& [bin, light] : ray.all()) {
+void BundleBins::add(const BundleDeposits<double>& bundle) {
+  for (const auto& [bin, light] : bundle.all()) {
     sums_[bin] += toFixed(light);
     squares_[bin] += toFixed(light * light, kSquareScale);
   }
 }
 
-void RayBins::merge(const RayBins& other) {
+void BundleBins::merge(const BundleBins& other) {
   for (int i = 0; i < size(); ++i) {
     sums_[i] += other.sums_[i];
     squares_[i] += other.squares_[i];
   }
 }
 
-double RayBins::error(int bin, std::uint64_t rays) const {
+double BundleBins::error(int bin, std::uint64_t bundles) const {
   const double sum = light(bin), squares = fromFixed(squares_[bin], kSquareScale);
-  return rays > 0 ? std::sqrt(std::max(0.0, squares - sum * sum / static_cast<double>(rays))) : 0.0;
+  return bundles > 0 ? std::sqrt(std::max(0.0, squares - sum * sum / static_cast<double>(bundles))) : 0.0;
 }
 
 }  // namespace parhelion

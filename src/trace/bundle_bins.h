@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "image/fixed_point.h"
+
+namespace parhelion {
+
+/// What one bundle of rays adds to numbered bins. Light of one bundle that falls into one bin more than once belongs
+/// together: errors come from the scatter between bundles.
+template <class Light>
+class BundleDeposits {
+ public:
+  struct Deposit {
+    int bin;
+    Light light;
+  };
+
+  void clear() { deposits_.clear(); }
+  void add(int bin, const Light& light) {
+    for (Deposit& d : deposits_)
+      if (d.bin == bin) {
+        d.light += light;
+        return;
+      }
+    deposits_.push_back({bin, light});
+  }
+  const std::vector<Deposit>& all() const { return deposits_; }
+
+ private:
+  std::vector<Deposit> deposits_;
+};
+
+/// Exact sums of light and of squared light per bundle, for any number of bins.
+class BundleBins {
+ public:
+  explicit BundleBins(int bins) : sums_(bins), squares_(bins) {}
+
+  int size() const { return static_cast<int>(sums_.size()); }
+  void add(const BundleDeposits<double>& bundle);
+  void merge(const BundleBins& other);
+
+  /// Light in a bin, in the units of the deposits.
+  double light(int bin) const { return fromFixed(sums_[bin]); }
+
+  /// Standard error of light(bin) when `bundles` bundles were traced in all.
+  double error(int bin, std::uint64_t bundles) const;
+
+ private:
+  std::vector<std::int64_t> sums_, squares_;
+};
+
+}  // namespace parhelion

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+// Every command and every scene in the documentation works as written.
+#include <doctest/doctest.h>
+
+#include <vector>
+
+#include "shell.h"
+
+using namespace parhelion::test;
+
+namespace {
+
+const std::filesystem::path kSource = PARHELION_SOURCE_DIR;
+
+std::vector<std::filesystem::path> documents() {
+  std::vector<std::filesystem::path> all{kSource / "README.md"};
+  for (const auto& entry : std::filesystem::directory_iterator(kSource / "docs"))
+    if (entry.path().extension() == ".md") all.push_back(entry.path());
+  return all;
+}
+
+/// The fenced blocks of a document in one language.
+std::vector<std::string> blocks(const std::filesystem::path& document, const std::string& language) {
+  std::vector<std::string> found;
+  std::istringstream text(readFile(document));
+  std::string line;
+  bool inside = false;
+  while (std::getline(text, line)) {
+    if (!inside && line == "```" + language) {
+      inside = true;
+      found.emplace_back();
+    } else if (inside && line.rfind("```", 0) == 0) {
+      inside = false;
+    } else if (inside) {
+      found.back() += line + "\n";
+    }
+  }
+  return found;
+}
+
+}  // namespace
+
+TEST_CASE("every parhelion command in the documentation runs") {
+  Folder folder;
+  std::filesystem::create_directory_symlink(kSource / "scenes", folder / "scenes");
+  int commands = 0;
+  for (const auto& document : documents())
+    for (const std::string& block : blocks(document, "sh")) {
+      std::istringstream lines(block);
+      std::string command;
+      while (std::getline(lines, command)) {
+        if (command.rfind("parhelion ", 0) != 0) continue;
+        ++commands;
+        // Few rays where the command does not say how many; what it says itself comes later and wins.
+        const std::string quick =
+            "parhelion() { c=$1; shift; case $c in render|trace|profile|map) set -- \"$@\" -D trace.rays=3000;; esac; "
+            "'" PARHELION_BINARY "' $c \"$@\"; } && ";
+        const Outcome outcome = run(folder, quick + command);
+        CHECK_MESSAGE(outcome.exit == 0, document.filename() << ": " << command << "\n" << outcome.err);
+      }
+    }
+  CHECK(commands >= 10);
+}
+
+TEST_CASE("every whole scene in the documentation is valid") {
+  Folder folder;
+  int scenes = 0;
+  for (const auto& document : documents())
+    for (const std::string& block : blocks(document, "toml")) {
+      if (block.find("[[population]]") == std::string::npos) continue;
+      ++scenes;
+      writeFile(folder / "scene.toml", block);
+      const Outcome outcome = run(folder, "parhelion check scene.toml");
+      CHECK_MESSAGE(outcome.exit == 0, document.filename() << "\n" << outcome.err);
+    }
+  CHECK(scenes >= 1);
+}
+
+TEST_CASE("every picture and page that the documentation links to is there") {
+  for (const auto& document : documents()) {
+    const std::string text = readFile(document);
+    for (std::size_t at = text.find("]("); at != std::string::npos; at = text.find("](", at + 1)) {
+      const std::string target = text.substr(at + 2, text.find(')', at) - at - 2);
+      if (target.rfind("http", 0) == 0) continue;
+      CHECK_MESSAGE(std::filesystem::exists(document.parent_path() / target), document.filename()
+                                                                                  << " links to " << target);
+    }
+  }
+}
