@@ -68,8 +68,9 @@ int runProfile(const ProfileOptions& options) {
 
 void addProfile(CLI::App& app, int& exit) {
   auto options = std::make_shared<ProfileOptions>();
-  CLI::App* command =
-      app.add_subcommand("profile", "Light over the angle from the sun, as CSV, and what follows from it");
+  CLI::App* command = app.add_subcommand(
+      "profile",
+      "Light over the scattering angle, from each ray's own point of the sun, as CSV, and what follows from it");
   options->run.addTo(*command, false);
   command->add_option("--bins", options->bins, "Equal bins between --from and --to")->check(CLI::Range(1, 10'000'000));
   command->add_option("--from", options->from, "First scattering angle, degrees")->check(CLI::Range(0.0, 180.0));

@@ -52,6 +52,7 @@ double ScatterProfile::addPath(const LightPath& path) {
   lost_.add(path.lost * light);
   // Rays come to crystals in proportion to A; dividing by it counts crystals.
   const double perArea = path.incident.weight / path.incident.projectedArea;
+  weight_.add(path.incident.weight);
   perArea_.add(perArea);
   surfacePerArea_.add(perArea * path.incident.crystal.surface());
   volumePerArea_.add(perArea * path.incident.crystal.volume());
@@ -67,10 +68,10 @@ void ScatterProfile::merge(const PathTally& fromThread) {
   bins_.merge(other.bins_);
   rays_ += other.rays_;
   bundles_ += other.bundles_;
-  for (const auto sum :
-       {&ScatterProfile::intercepted_, &ScatterProfile::undeviated_, &ScatterProfile::cosine_,
-        &ScatterProfile::cosineSquared_, &ScatterProfile::path_, &ScatterProfile::cutOff_, &ScatterProfile::lost_,
-        &ScatterProfile::perArea_, &ScatterProfile::surfacePerArea_, &ScatterProfile::volumePerArea_})
+  for (const auto sum : {&ScatterProfile::intercepted_, &ScatterProfile::undeviated_, &ScatterProfile::cosine_,
+                         &ScatterProfile::cosineSquared_, &ScatterProfile::path_, &ScatterProfile::cutOff_,
+                         &ScatterProfile::lost_, &ScatterProfile::weight_, &ScatterProfile::perArea_,
+                         &ScatterProfile::surfacePerArea_, &ScatterProfile::volumePerArea_})
     (this->*sum).merge(other.*sum);
   byOrder_.resize(std::max(byOrder_.size(), other.byOrder_.size()));
   for (std::size_t k = 0; k < other.byOrder_.size(); ++k) byOrder_[k].merge(other.byOrder_[k]);
@@ -104,7 +105,7 @@ ScatterProfile::Summary ScatterProfile::summary() const {
   const double crystals = rays_ > 0 ? perArea_.value() : 1.0;
   s.volume = volumePerArea_.value() / crystals;
   s.surface = surfacePerArea_.value() / crystals;
-  s.meanProjectedArea = static_cast<double>(rays_) / crystals;
+  s.meanProjectedArea = weight_.value() / crystals;
   s.cutOff = cutOff_.value() / all;
   s.lost = lost_.value() / all;
   return s;

@@ -53,7 +53,8 @@ class ScatterProfile : public PathTally {
 
   std::uint64_t rays_ = 0, bundles_ = 0;
   ExactSum intercepted_, undeviated_, cosine_, cosineSquared_, path_, cutOff_, lost_;
-  ExactSum perArea_, surfacePerArea_, volumePerArea_;  // sums over rays of 1 / A, S / A, V / A; A the projected area
+  ExactSum weight_, perArea_, surfacePerArea_,
+      volumePerArea_;  // sums over rays of 1, 1 / A, S / A, V / A; A the projected area
   std::vector<ExactSum> byOrder_;
 };
 

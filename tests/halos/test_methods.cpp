@@ -48,11 +48,11 @@ TEST_CASE("a ray's wavelength has nothing to do with its way: with one index, al
   // Wavelengths are spread evenly over consecutive rays; an echo of that in the geometry would show here.
   const Cloud cloud({radians(25), 0.0, ContinuousSpectrum{}, false}, ConstantIce{kIndex}, mixture());
   constexpr int kTenths = 10, kBins = 30;
-  std::vector<RayBins> light(kTenths, RayBins(kBins));
+  std::vector<BundleBins> light(kTenths, BundleBins(kBins));
   std::array<std::uint64_t, kTenths> rays{};
   std::array<double, kTenths> border{};
   for (int i = 0; i < kTenths; ++i) border[i] = cloud.spectrum().sample(i / double(kTenths)).wavelength;
-  RayDeposits deposits;
+  BundleDeposits<double> deposits;
   forEachRay(cloud, kRays, [&](const LightPath& path) {
     int tenth = kTenths - 1;
     while (path.incident.light.wavelength < border[tenth]) --tenth;

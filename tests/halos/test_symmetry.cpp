@@ -8,7 +8,7 @@
 
 #include "halos/comparison.h"
 #include "halos/experiment.h"
-#include "trace/ray_bins.h"
+#include "trace/bundle_bins.h"
 #include "trace/sky_map.h"
 
 using namespace parhelion;
@@ -31,8 +31,8 @@ int opposite(int cell) {
 
 /// Light that comes to randomly oriented crystals along the directions of one cell and leaves along those of another.
 Disagreement againstReversedLight(const PopulationSettings& crystals, std::uint64_t rays) {
-  RayBins flux(kCells * kCells);
-  RayDeposits deposits;
+  BundleBins flux(kCells * kCells);
+  BundleDeposits<double> deposits;
   forEachRay(cloudUnderPointSun(radians(20), {crystals}), rays, [&](const LightPath& path) {
     deposits.clear();
     const int in = cellOf(path.incident.lightDirCrystal);

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "image/colour_space.h"
+#include "synthetic_tally.h"
+
+namespace parhelion {
+namespace {
+
+constexpr int kSide = 128;
+
+/// Poisson hits of a density and a colour (CIE XYZ) for each column.
+template <class Density, class Colour>
+Tally colouredTally(const Density& density, const Colour& colour, std::uint64_t seed) {
+  TallyInfo info = fullSky(kSide);
+  info.white = {0.95, 1.0, 1.09};
+  Tally tally(info, 3);
+  for (int pixel = 0; pixel < tally.pixels(); ++pixel) {
+    RandomStream random(seed, static_cast<std::uint64_t>(pixel), RandomPurpose::path);
+    const int count = poisson(density(pixel % kSide), random);
+    for (int i = 0; i < count; ++i) tally.add(pixel, colour(pixel % kSide), random.next() < 0.5);
+  }
+  return tally;
+}
+
+}  // namespace
+
+TEST_CASE("white light on arcs and edges stays white, and its luminance is that of one colour") {
+  const auto arc = [](int x) { return std::abs(x - 64) < 3 ? 4.0 : x < 64 ? 0.05 : 0.5; };
+  const Vec3 white{0.95, 1.0, 1.09};
+  const Tally tally = colouredTally(arc, [&](int) { return white; }, 21);
+  Tally grey(tally.info, 1);
+  for (int pixel = 0; pixel < tally.pixels(); ++pixel)
+    for (int slot = 0; slot < grey.slots(); ++slot) grey.setRaw(pixel, slot, tally.raw(pixel, slot));
+  const Image image = adaptive(tally), one = adaptive(grey);
+  for (std::size_t i = 0; i < image.pixels(); ++i) {
+    for (const auto* plane : image.rgb()) REQUIRE((*plane)[i] == doctest::Approx((*one.find("G"))[i]).epsilon(1e-4));
+    REQUIRE(image.channels[3].samples[i] == doctest::Approx(one.channels[3].samples[i]).epsilon(1e-4));
+  }
+}
+
+TEST_CASE("a red and a blue half keep their colours, and nothing is redder or bluer than either") {
+  const Vec3 red{0.6, 0.5, 0.2}, blue{0.7, 0.5, 1.6};
+  const Tally tally = colouredTally([](int) { return 1.0; }, [&](int x) { return x < kSide / 2 ? red : blue; }, 22);
+  const Image image = adaptive(tally);
+  const Mat3 toRgb = xyzToRec709(tally.info.white);
+  const auto blueness = [](const Vec3& rgb) { return rgb.z / (rgb.x + rgb.y + rgb.z); };
+  const double least = blueness(toRgb * red), most = blueness(toRgb * blue);
+  for (int pixel = 0; pixel < tally.pixels(); ++pixel) {
+    const auto i = static_cast<std::size_t>(pixel);
+    const double b = blueness({image.channels[0].samples[i], image.channels[1].samples[i], image.channels[2].samples[i]});
+    REQUIRE(b > least - 1e-4);
+    REQUIRE(b < most + 1e-4);
+    if (pixel % kSide < 32) REQUIRE(b < least + 0.05 * (most - least));
+    if (pixel % kSide >= 96) REQUIRE(b > most - 0.05 * (most - least));
+  }
+}
+
+}  // namespace parhelion
