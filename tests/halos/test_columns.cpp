@@ -8,6 +8,7 @@
 
 #include "halos/closed_forms.h"
 #include "halos/experiment.h"
+#include "halos/position.h"
 
 using namespace parhelion;
 
@@ -65,7 +66,7 @@ TEST_CASE("tangent arcs of columns touch the 22 degree ring above and below the 
   for (const double contact : {20.0 + ring, 20.0 - ring}) {
     CAPTURE(contact);
     const Histogram h = alongVertical(columns(20), 500'000, Histogram(contact - 3, contact + 3, 150));
-    CHECK(std::abs(h.peak() - contact) < 0.1);
+    checkPosition("tangent arc" + atSun(20) + ", elevation", contact, h.peak(), 0.1);
   }
 }
 
@@ -95,7 +96,7 @@ TEST_CASE("the circumscribed halo of columns crosses the height of a sun at 45 d
         if (std::abs(sky.elevation - 45.0) < 0.2) h.add(sky.azimuth, exit.energy);
       }
     });
-    CHECK(std::abs(h.peak() - side * expected) < 0.1);
+    checkPosition("circumscribed halo" + atSun(45) + ", azimuth", side * expected, h.peak(), 0.1);
   }
 }
 
@@ -116,7 +117,8 @@ TEST_CASE(
     return sum;
   };
   CHECK(wedges90(20).supralateral > 0.0);
-  CHECK(std::abs(degrees(wedges90(20).closest - theory::leastDeviation(radians(90), kIndex))) < 0.1);
+  checkPosition("supralateral arc" + atSun(20) + ", least distance from the sun",
+                degrees(theory::leastDeviation(radians(90), kIndex)), degrees(wedges90(20).closest), 0.1);
   CHECK(wedges90(32.1).supralateral > 0.0);
   for (const double sun : {32.3, 40.0}) {
     CAPTURE(sun);
@@ -134,6 +136,6 @@ TEST_CASE("the upper suncave Parry arc crosses the sun's vertical where Snell's 
     CAPTURE(sun);
     const double expected = degrees(theory::suncaveParry(kIndex, radians(sun)));
     const Histogram h = alongVertical(parryColumns(sun), 600'000, Histogram(expected - 2, expected + 2, 100));
-    CHECK(std::abs(h.peak() - expected) < 0.1);
+    checkPosition("upper suncave Parry arc" + atSun(sun) + ", elevation", expected, h.peak(), 0.1);
   }
 }

@@ -6,6 +6,7 @@
 
 #include "halos/closed_forms.h"
 #include "halos/experiment.h"
+#include "halos/position.h"
 #include "optics/interface.h"
 
 using namespace parhelion;
@@ -58,7 +59,7 @@ TEST_CASE("perfect plates make parhelia at the sun's elevation, at Bravais' azim
     for (const double side : {1.0, -1.0}) {
       const double middle = side * expected;
       const Histogram h = azimuths(plates(c.sun), kRays, c.sun, Histogram(middle - 5, middle + 5, 250));
-      CHECK(std::abs(h.peak() - middle) < 0.1);
+      checkPosition("parhelion" + atSun(c.sun) + ", azimuth", middle, h.peak(), 0.1);
     }
   }
 }
@@ -78,7 +79,7 @@ TEST_CASE("subparhelia lie below the horizon as far as the parhelia above it") {
     for (const double side : {1.0, -1.0}) {
       const double middle = side * expected;
       const Histogram h = azimuths(plates(sun), kRays, -sun, Histogram(middle - 5, middle + 5, 250));
-      CHECK(std::abs(h.peak() - middle) < 0.1);
+      checkPosition("subparhelion" + atSun(sun) + ", azimuth", middle, h.peak(), 0.1);
     }
   }
 }
@@ -88,7 +89,7 @@ TEST_CASE("120 degree parhelia lie at the azimuths +-120, at the sun's elevation
     CAPTURE(index);
     for (const double middle : {120.0, -120.0}) {
       const Histogram h = azimuths(plates(20, index, 0.1), kRays, 20, Histogram(middle - 10.02, middle + 10.02, 501));
-      CHECK(std::abs(h.peak() - middle) < 0.03);
+      checkPosition("120° parhelion, n = " + std::to_string(index).substr(0, 4) + ", azimuth", middle, h.peak(), 0.03);
       // All of it in one direction, far above the parhelic circle on either side.
       const double brightest = *std::max_element(h.energy.begin(), h.energy.end());
       CHECK(brightest > 20.0 * (h.total() - brightest) / 500.0);
@@ -143,7 +144,7 @@ TEST_CASE("the circumzenithal arc lies at 59.753, 65.886 and 79.390 degrees for 
     const double expected = degrees(theory::circumzenithal(kIndex, radians(c.sun)));
     CHECK(std::abs(expected - c.elevation) < 0.001);
     const Histogram h = elevations(plates(c.sun), kRays, Histogram(50, 90, 1000));
-    CHECK(std::abs(h.peak() - expected) < 0.1);
+    checkPosition("circumzenithal arc" + atSun(c.sun) + ", elevation", expected, h.peak(), 0.1);
     // It crosses the sun's vertical on the sun's side of the zenith.
     const Histogram along = azimuths(plates(c.sun), kRays, expected, Histogram(-180, 180, 36));
     CHECK(along.energy[17] + along.energy[18] > 0.0);
@@ -162,7 +163,7 @@ TEST_CASE("the circumhorizontal arc lies where Snell's law says and needs the su
     CAPTURE(sun);
     const double expected = degrees(theory::circumhorizontal(kIndex, radians(sun)));
     const Histogram h = elevations(plates(sun), kRays, Histogram(2, 52, 1250));
-    CHECK(std::abs(h.peak() - expected) < 0.1);
+    checkPosition("circumhorizontal arc" + atSun(sun) + ", elevation", expected, h.peak(), 0.1);
   }
   CHECK(directEnergy(plates(65), kRays, isSideToBottom) > 0.0);
   CHECK(directEnergy(plates(50), kRays, isSideToBottom) == 0.0);

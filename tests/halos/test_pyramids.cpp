@@ -5,12 +5,14 @@
 
 #include "halos/closed_forms.h"
 #include "halos/edge_fit.h"
+#include "halos/position.h"
 
 using namespace parhelion;
 
 namespace {
 
 struct Halo {
+  const char* name;
   double wedge;  // rad
   double edge;   // degrees, at n = 1.31
 };
@@ -21,12 +23,12 @@ std::vector<Halo> oddRadiusHalos() {
   // slope; 120 degrees of azimuth lie between next but one neighbours.
   const auto wedge = [](double cosineOfNormals) { return kPi - std::acos(cosineOfNormals); };
   const double slope = radians(28.0), s = std::sin(slope), c = std::cos(slope);
-  return {{wedge(-c), 8.953},                      // 3-16
-          {wedge(-0.5 * c * c - s * s), 18.271},   // 13-25
-          {wedge(-c * c + s * s), 19.905},         // 13-16
-          {wedge(-s), 22.862},                     // 1-23
-          {wedge(-0.5 * c), 23.819},               // 3-15
-          {wedge(-0.5 * c * c + s * s), 34.929}};  // 13-15
+  return {{"9° ring", wedge(-c), 8.953},                       // 3-16
+          {"18° ring", wedge(-0.5 * c * c - s * s), 18.271},   // 13-25
+          {"20° ring", wedge(-c * c + s * s), 19.905},         // 13-16
+          {"23° ring", wedge(-s), 22.862},                     // 1-23
+          {"24° ring", wedge(-0.5 * c), 23.819},               // 3-15
+          {"35° ring", wedge(-0.5 * c * c + s * s), 34.929}};  // 13-15
 }
 
 }  // namespace
@@ -51,6 +53,6 @@ TEST_CASE("pyramidal crystals in random orientation make rings of 9, 18, 20, 23,
     CAPTURE(expected[i]);
     const EdgeFit fit = fitEdge(around[i]);
     CHECK(fit.step > 0.0);
-    CHECK(std::abs(fit.position - expected[i]) < 0.03);
+    checkPosition(oddRadiusHalos()[i].name, expected[i], fit.position, 0.03);
   }
 }
