@@ -9,7 +9,6 @@
 #include <utility>
 #include <vector>
 
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "trace/embree_api.h"
@@ -68,7 +67,7 @@ std::vector<unsigned> quadFan(unsigned corners) {
 }
 
 /// Returns false when Embree has no memory for the buffers.
-bool addFace(RTCDevice device, RTCScene scene, const CrystalMesh& mesh, int face, const Vec3& toUnit) {
+bool addFace(RTCDevice device, RTCScene scene, const CrystalMesh& mesh, int face) {
   const auto& ring = mesh.faces()[face].vertices;
   GeometryPtr geometry(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_QUAD), rtcReleaseGeometry);
   if (!geometry) return false;
@@ -80,8 +79,7 @@ bool addFace(RTCDevice device, RTCScene scene, const CrystalMesh& mesh, int face
       geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT4, 4 * sizeof(unsigned), fan.size() / 4));
   if (!corners || !indices) return false;
   for (std::size_t i = 0; i < ring.size(); ++i)
-    for (int axis = 0; axis < 3; ++axis)
-      corners[3 * i + axis] = static_cast<float>(mesh.vertices()[ring[i]][axis] * toUnit[axis]);
+    for (int axis = 0; axis < 3; ++axis) corners[3 * i + axis] = static_cast<float>(mesh.vertices()[ring[i]][axis]);
   std::copy(fan.begin(), fan.end(), indices);
 
   rtcSetGeometryMask(geometry.get(), 1u << face);
@@ -95,16 +93,12 @@ bool addFace(RTCDevice device, RTCScene scene, const CrystalMesh& mesh, int face
 EmbreeIntersector::EmbreeIntersector(const EmbreeDevice& device, const CrystalMesh& mesh, EmbreeMode mode)
     : device_(device.state()) {
   if (!mesh.isConvex()) throw std::invalid_argument("the crystal must be convex");
-  Vec3 extent(0.0);
-  for (const Vec3& v : mesh.vertices()) extent = glm::max(extent, glm::abs(v));
-  toUnit_ = 1.0 / extent;
-
   scene_ = {rtcNewScene(device_->device), [owner = device_](RTCScene scene) { rtcReleaseScene(scene); }};
   device_->check("making a scene");
   rtcSetSceneFlags(scene_.get(), mode == EmbreeMode::robust ? RTC_SCENE_FLAG_ROBUST : RTC_SCENE_FLAG_NONE);
   rtcSetSceneBuildQuality(scene_.get(), RTC_BUILD_QUALITY_HIGH);
   for (int face = 0; face < static_cast<int>(mesh.faces().size()); ++face)
-    if (!addFace(device_->device, scene_.get(), mesh, face, toUnit_)) break;
+    if (!addFace(device_->device, scene_.get(), mesh, face)) break;
   device_->check("loading a crystal");
   rtcCommitScene(scene_.get());
   device_->check("building a crystal");
@@ -112,8 +106,9 @@ EmbreeIntersector::EmbreeIntersector(const EmbreeDevice& device, const CrystalMe
 
 std::optional<FaceHit> EmbreeIntersector::nextFace(const Crystal& crystal, const Vec3& point, const Vec3& lightDir,
                                                    int leftFace) const {
-  // An affine map keeps the ray parameter: the ray is taken to the unit crystal instead of the crystal to the ray.
-  const Vec3 scale(toUnit_.x, toUnit_.y, toUnit_.z / crystal.stretch);
+  // An affine map keeps the ray parameter: the ray is taken to the mesh as Embree has it, not the stretched mesh to the
+  // ray.
+  const Vec3 scale(1.0, 1.0, 1.0 / crystal.stretch);
   const glm::vec3 origin(point * scale), direction(lightDir * scale);
   RTCRayHit query;
   query.ray.org_x = origin.x;

@@ -44,7 +44,6 @@ class EmbreeIntersector {
  private:
   std::shared_ptr<EmbreeDevice::State> device_;
   std::shared_ptr<RTCSceneTy> scene_;
-  Vec3 toUnit_;  // scales the mesh into the cube [-1, 1]^3, whatever its size and proportions
 };
 
 }  // namespace parhelion
