@@ -6,11 +6,11 @@ namespace parhelion {
 /// How scattered hits become an image.
 enum class ReconMethod {
   none,      // the plain radiance: each pixel's light over its solid angle
-  adaptive,  // filters as wide as each place of the sky allows
+  adaptive,  // filters as wide and as long as each place of the sky allows (recon/adaptive.h)
 };
 
 struct ReconSettings {
-  ReconMethod method = ReconMethod::none;
+  ReconMethod method = ReconMethod::adaptive;
 };
 
 }  // namespace parhelion

@@ -2,6 +2,7 @@
 #include "recon/reconstruct.h"
 
 #include "image/radiance.h"
+#include "recon/adaptive.h"
 
 namespace parhelion {
 
@@ -9,6 +10,8 @@ Image reconstruct(const Tally& tally, const ReconSettings& settings) {
   switch (settings.method) {
     case ReconMethod::none:
       return plainRadiance(tally);
+    case ReconMethod::adaptive:
+      return adaptiveRadiance(tally);
   }
   return {};
 }

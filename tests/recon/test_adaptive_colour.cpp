@@ -31,7 +31,8 @@ Tally colouredTally(const Density& density, const Colour& colour, std::uint64_t 
 TEST_CASE("white light on arcs and edges stays white, and its luminance is that of one colour") {
   const auto arc = [](int x) { return std::abs(x - 64) < 3 ? 4.0 : x < 64 ? 0.05 : 0.5; };
   const Vec3 white{0.95, 1.0, 1.09};
-  const Tally tally = colouredTally(arc, [&](int) { return white; }, 21);
+  const Tally tally = colouredTally(
+      arc, [&](int) { return white; }, 21);
   Tally grey(tally.info, 1);
   for (int pixel = 0; pixel < tally.pixels(); ++pixel)
     for (int slot = 0; slot < grey.slots(); ++slot) grey.setRaw(pixel, slot, tally.raw(pixel, slot));
@@ -51,7 +52,8 @@ TEST_CASE("a red and a blue half keep their colours, and nothing is redder or bl
   const double least = blueness(toRgb * red), most = blueness(toRgb * blue);
   for (int pixel = 0; pixel < tally.pixels(); ++pixel) {
     const auto i = static_cast<std::size_t>(pixel);
-    const double b = blueness({image.channels[0].samples[i], image.channels[1].samples[i], image.channels[2].samples[i]});
+    const double b =
+        blueness({image.channels[0].samples[i], image.channels[1].samples[i], image.channels[2].samples[i]});
     REQUIRE(b > least - 1e-4);
     REQUIRE(b < most + 1e-4);
     if (pixel % kSide < 32) REQUIRE(b < least + 0.05 * (most - least));

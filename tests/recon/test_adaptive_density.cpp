@@ -65,8 +65,8 @@ TEST_CASE("a step of 100 neither rings nor overshoots") {
 
 TEST_CASE("a hole in the sky is dark, without a ring around it") {
   const auto distance = [](int x, int y) { return std::hypot(x - 96.0, y - 96.0); };
-  const Tally tally =
-      poissonTally(fullSky(kSide), [&](int x, int y) { return distance(x, y) < 24.0 ? 0.0 : 2.0; }, 2);
+  const Tally tally = poissonTally(
+      fullSky(kSide), [&](int x, int y) { return distance(x, y) < 24.0 ? 0.0 : 2.0; }, 2);
   const std::vector<double> light = adaptiveLight(tally);
   for (int y = 0; y < kSide; ++y) {
     for (int x = 0; x < kSide; ++x) {
@@ -88,8 +88,8 @@ TEST_CASE("an edge like a halo's, 1/sqrt of the distance, leaks less than 5 % of
   double leak[2];
   for (int i = 0; i < 2; ++i) {
     const double scale = i == 0 ? 0.3 : 30.0;
-    const std::vector<double> light =
-        adaptiveLight(poissonTally(fullSky(kSide), [&](int x, int) { return scale * edge(x); }, 3));
+    const std::vector<double> light = adaptiveLight(poissonTally(
+        fullSky(kSide), [&](int x, int) { return scale * edge(x); }, 3));
     double peak = 0.0;
     for (int x = 0; x < kSide; ++x) peak = std::max(peak, columns(light, x, x + 1));
     leak[i] = columns(light, 90, 91) / peak;
@@ -102,7 +102,8 @@ TEST_CASE("a flat sky comes out flat: noise falls as hits grow, no specks") {
   const double densities[] = {0.01, 0.1, 1.0, 10.0, 100.0};
   const double deviations[] = {0.147, 0.102, 0.058, 0.034, 0.020};
   for (int i = 0; i < 5; ++i) {
-    const std::vector<double> light = adaptiveLight(poissonTally(fullSky(512), [&](int, int) { return densities[i]; }, 4));
+    const std::vector<double> light = adaptiveLight(poissonTally(
+        fullSky(512), [&](int, int) { return densities[i]; }, 4));
     INFO("density " << densities[i]);
     CHECK(relativeDeviation(light) < 1.2 * deviations[i]);
     if (densities[i] >= 0.1) CHECK(*std::max_element(light.begin(), light.end()) < 2.0 * densities[i]);
@@ -116,7 +117,8 @@ TEST_CASE("all light is kept, in every projection") {
     TallyInfo info = fullSky(128);
     info.camera.projection = projection;
     info.camera.fieldOfView = projection == Projection::equirectangular ? radians(360.0) : radians(120.0);
-    const Tally tally = poissonTally(info, [](int x, int y) { return x < y ? 0.05 : 0.5; }, 5);
+    const Tally tally = poissonTally(
+        info, [](int x, int y) { return x < y ? 0.05 : 0.5; }, 5);
     CHECK(std::abs(sum(adaptiveLight(tally)) / lightIn(tally) - 1.0) < 1e-6);
   }
 }

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+
+#include "recon/grid.h"
+
+namespace parhelion {
+
+/// Sums over squares in constant time. T is std::int64_t (exact, differences even across an overflow) or double.
+template <class T>
+class IntegralImage {
+ public:
+  /// value(x, y) is what cell (x, y) adds.
+  template <class F>
+  IntegralImage(int width, int height, const F& value) : sums_(width + 1, height + 1) {
+    forRows(height, [&](int y) {
+      T sum{};
+      for (int x = 0; x < width; ++x) sums_.at(x + 1, y + 1) = (sum += static_cast<T>(value(x, y)));
+    });
+    for (int y = 1; y <= height; ++y) {
+      for (int x = 1; x <= width; ++x) sums_.at(x, y) += sums_.at(x, y - 1);
+    }
+  }
+
+  /// The sum over the cells no farther than `radius` columns and rows from (x, y), as far as they exist.
+  T square(int x, int y, int radius) const {
+    const int x0 = std::max(x - radius, 0), x1 = std::min(x + radius + 1, sums_.width() - 1);
+    const int y0 = std::max(y - radius, 0), y1 = std::min(y + radius + 1, sums_.height() - 1);
+    return (sums_.at(x1, y1) - sums_.at(x0, y1)) - (sums_.at(x1, y0) - sums_.at(x0, y0));
+  }
+
+ private:
+  Grid<T> sums_;
+};
+
+}  // namespace parhelion
