@@ -49,6 +49,7 @@ int run(int argc, char** argv) {
   int exit = kDone;
   addRender(app, exit);
   addTrace(app, exit);
+  addRecon(app, exit);
   addProfile(app, exit);
   addMap(app, exit);
   addReplay(app, exit);

@@ -16,6 +16,7 @@ enum ExitCode {
 // Each adds one subcommand. Once the command line is parsed, the chosen command runs and stores how it ended in `exit`.
 void addRender(CLI::App& app, int& exit);
 void addTrace(CLI::App& app, int& exit);
+void addRecon(CLI::App& app, int& exit);
 void addProfile(CLI::App& app, int& exit);
 void addMap(CLI::App& app, int& exit);
 void addReplay(CLI::App& app, int& exit);

@@ -61,6 +61,22 @@ TEST_CASE("a picture can be rendered again from the scene inside it, overrides a
   CHECK(run(folder, "parhelion info a.exr").out.find("elevation 35") != std::string::npos);
 }
 
+TEST_CASE("a tally reconstructed from disk is the picture that render makes at once, by every method") {
+  WithScene folder;
+  REQUIRE(run(folder, "parhelion trace s.toml -o t.exr -D sun.visible=true --quiet").exit == 0);
+  for (const std::string method : {"none", "adaptive"}) {
+    REQUIRE(run(folder, "parhelion recon t.exr --quiet -o a.exr --method " + method).exit == 0);
+    REQUIRE(
+        run(folder, "parhelion render s.toml -D sun.visible=true --quiet -o b.exr -D recon.method=" + method).exit ==
+        0);
+    CHECK(readFile(folder / "a.png") == readFile(folder / "b.png"));
+  }
+  const std::string before = readFile(folder / "t.exr");
+  CHECK(run(folder, "parhelion recon t.exr").exit == 2);
+  CHECK(run(folder, "parhelion recon a.exr -o c.exr").exit == 1);
+  CHECK(readFile(folder / "t.exr") == before);
+}
+
 TEST_CASE("trace writes a tally that info understands") {
   WithScene folder;
   CHECK(run(folder, "parhelion trace s.toml -o t.exr").exit == 0);

@@ -87,7 +87,7 @@ TEST_CASE("the schema's defaults are those of the settings") {
   CHECK(preset("trace", "rays") == TraceSettings{}.rays);
   CHECK(preset("trace", "seed") == TraceSettings{}.seed);
   CHECK(preset("trace", "engine") == "embree");
-  CHECK(preset("recon", "method") == "none");
+  CHECK(preset("recon", "method") == "adaptive");
 }
 
 TEST_CASE("a scene that writes out every default is the scene that leaves them out") {

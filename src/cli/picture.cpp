@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/picture.h"
+
+#include <cstdio>
+
+#include "cli/tally_run.h"
+#include "cli/text_output.h"
+#include "image/exr.h"
+#include "image/png.h"
+#include "image/tone.h"
+#include "recon/reconstruct.h"
+#include "trace/draw_sun.h"
+
+namespace parhelion::cli {
+
+void PictureOptions::addTo(CLI::App& command) {
+  command.add_option("-o,--output", output, "The EXR; the PNG has the same name. Named after the input when left out")
+      ->type_name("FILE");
+  command.add_option("--exposure", exposure, "Exposure of the preview; chosen by the picture when left out")
+      ->type_name("STOPS");
+}
+
+std::filesystem::path PictureOptions::exr(const std::string& input) const {
+  std::filesystem::path path = output.empty() ? std::filesystem::path(input).filename() : std::filesystem::path(output);
+  return path.replace_extension(".exr");
+}
+
+void PictureOptions::requireWritable(const std::string& input) const {
+  cli::requireWritable(exr(input));
+  cli::requireWritable(png(input));
+}
+
+void writePicture(const Tally& tally, const LoadedScene& loaded, const PictureOptions& options,
+                  const std::string& input, bool quiet) {
+  Image sky = reconstruct(tally, loaded.scene.recon);
+  if (loaded.scene.sun.visible)
+    drawUndeviatedSun(sky, Camera(tally.info.camera), Sun(loaded.scene.sun), tally.info.undeviatedFraction());
+  const ExrAttributes attributes = sceneAttributes(loaded, tally.info.rayCount());
+  const std::filesystem::path exr = options.exr(input), png = options.png(input);
+  writeBeautyExr(exr, sky, attributes);
+
+  const double stops = options.exposure ? *options.exposure : autoExposure(sky);
+  const Preview preview = developPreview(sky, {stops});
+  char exposure[64];
+  std::snprintf(exposure, sizeof exposure, "%+.2f stops", stops);
+  writePng(png, preview, {{"Software", attributes.at("software")}, {"Exposure", exposure}});
+  if (quiet) return;
+  std::fprintf(stderr, "wrote %s and %s (exposure %s)\n", exr.c_str(), png.c_str(), exposure);
+  if (preview.badPixels > 0)
+    std::fprintf(stderr, "%zu pixels are not finite and black in the preview\n", preview.badPixels);
+}
+
+}  // namespace parhelion::cli

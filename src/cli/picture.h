@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include <CLI/CLI.hpp>
+
+#include "image/tally.h"
+#include "scene/parse_scene.h"
+
+namespace parhelion::cli {
+
+/// Where a picture goes and how its preview is exposed.
+struct PictureOptions {
+  std::string output;              // of the EXR; empty: named after the input, in the current folder
+  std::optional<double> exposure;  // stops; empty: chosen by the picture
+
+  void addTo(CLI::App& command);
+
+  /// The EXR and the preview beside it, for input file `input`.
+  std::filesystem::path exr(const std::string& input) const;
+  std::filesystem::path png(const std::string& input) const { return exr(input).replace_extension(".png"); }
+
+  /// Throws std::runtime_error if either cannot be written.
+  void requireWritable(const std::string& input) const;
+};
+
+/// Reconstructs a tally as its scene asks, draws the sun if it is visible, and writes the linear EXR and the PNG
+/// preview. Says on stderr what was written unless `quiet`. Throws std::runtime_error.
+void writePicture(const Tally& tally, const LoadedScene& loaded, const PictureOptions& options,
+                  const std::string& input, bool quiet);
+
+}  // namespace parhelion::cli
