@@ -8,6 +8,7 @@
 #include "cli/progress.h"
 #include "cli/stats.h"
 #include "cli/stop_signal.h"
+#include "cli/text_output.h"
 
 namespace parhelion::cli {
 
@@ -86,6 +87,7 @@ int RunResult::exitCode() const { return signalled ? kInterrupted : kDone; }
 Cloud makeCloud(const Scene& scene) { return Cloud(scene.sun, scene.ice, scene.populations); }
 
 RunResult runTrace(const RunOptions& options, const Scene& scene, const Cloud& cloud, PathTally& tally) {
+  requireWritable(options.stats);
   const StopSignal stop;
   Progress progress(scene.trace.rays, options.quiet                ? Progress::Style::none
                                       : options.progress == "json" ? Progress::Style::json

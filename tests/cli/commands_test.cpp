@@ -215,9 +215,10 @@ TEST_CASE("mistakes on the command line are one clear complaint and exit 2") {
 TEST_CASE("outputs that cannot be written are one clear line, exit 1, before any ray is traced") {
   WithScene folder;
   writeFile(folder / "keep.exr", "precious");
-  for (const char* command : {"parhelion render s.toml -o none/x.exr", "parhelion trace s.toml -o none/x.exr",
-                              "parhelion profile s.toml -o none/x.csv",
-                              "parhelion profile s.toml --summary none/x.json", "parhelion map s.toml -o none/x.csv"}) {
+  for (const char* command :
+       {"parhelion render s.toml -o none/x.exr", "parhelion trace s.toml -o none/x.exr",
+        "parhelion profile s.toml -o none/x.csv", "parhelion profile s.toml --summary none/x.json",
+        "parhelion map s.toml -o none/x.csv", "parhelion render s.toml --stats none/x.json"}) {
     const Outcome outcome = run(folder, command);
     CHECK_MESSAGE(outcome.exit == 1, command);
     CHECK_MESSAGE(lines(outcome.err) == 1, outcome.err);
