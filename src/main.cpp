@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <exception>
 #include <new>
 #include <string>
@@ -75,7 +77,10 @@ int main(int argc, char** argv) {
   using namespace parhelion::cli;
   flushDenormals();
   try {
-    return run(argc, argv);
+    const int code = run(argc, argv);
+    if (std::fflush(stdout) != 0 || std::ferror(stdout))
+      return fail((std::string("parhelion: error: stdout: ") + std::strerror(errno)).c_str(), kRunTimeFailure);
+    return code;
   } catch (const parhelion::SceneError& error) {
     return fail(error.what(), kUsageError);
   } catch (const std::bad_alloc&) {

@@ -50,10 +50,11 @@ Image image(const SkyMap& map) {
 
 int runMap(const MapOptions& options, int binsPerHalfTurn) {
   const LoadedScene loaded = options.run.load();
-  requireWritable(options.output);
+  requireOutputs(options.run.scene, {options.output, options.run.stats});
   const Cloud cloud = makeCloud(loaded.scene);
   SkyMap map(cloud.sun().toCentre(), binsPerHalfTurn);
-  const RunResult result = runTrace(options.run, loaded.scene, cloud, map);
+  const StopSignal stop;
+  const RunResult result = runTrace(options.run, loaded.scene, cloud, map, stop);
   if (options.toExr())
     writeBeautyExr(options.output, image(map), sceneAttributes(loaded, result.report.rays));
   else

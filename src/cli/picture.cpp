@@ -3,8 +3,8 @@
 
 #include <cstdio>
 
+#include "cli/run_options.h"
 #include "cli/tally_run.h"
-#include "cli/text_output.h"
 #include "image/exr.h"
 #include "image/png.h"
 #include "image/tone.h"
@@ -14,20 +14,24 @@
 namespace parhelion::cli {
 
 void PictureOptions::addTo(CLI::App& command) {
-  command.add_option("-o,--output", output, "The EXR; the PNG has the same name. Named after the input when left out")
+  command
+      .add_option("-o,--output", output,
+                  "The EXR, or its folder; the PNG stands beside it. Named after the input when left out")
       ->type_name("FILE");
   command.add_option("--exposure", exposure, "Exposure of the preview; chosen by the picture when left out")
-      ->type_name("STOPS");
+      ->type_name("STOPS")
+      ->check(number(-100.0, 100.0));
 }
 
 std::filesystem::path PictureOptions::exr(const std::string& input) const {
-  std::filesystem::path path = output.empty() ? std::filesystem::path(input).filename() : std::filesystem::path(output);
+  const std::filesystem::path own = std::filesystem::path(input).filename().replace_extension(".exr");
+  if (output.empty()) return own;
+  std::filesystem::path path = output;
+  if (!path.has_filename() || std::filesystem::is_directory(path)) return path / own;
+  const std::string extension = path.extension().string();
+  if (!extension.empty() && extension != ".exr" && extension != ".png")
+    throw CLI::ValidationError("-o", "a picture is an .exr with a .png beside it, not " + output);
   return path.replace_extension(".exr");
-}
-
-void PictureOptions::requireWritable(const std::string& input) const {
-  cli::requireWritable(exr(input));
-  cli::requireWritable(png(input));
 }
 
 void writePicture(const Tally& tally, const LoadedScene& loaded, const PictureOptions& options,

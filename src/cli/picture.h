@@ -18,12 +18,10 @@ struct PictureOptions {
 
   void addTo(CLI::App& command);
 
-  /// The EXR and the preview beside it, for input file `input`.
+  /// The EXR and the preview beside it, for input file `input`; in the folder `output` if that is one. Throws
+  /// CLI::ValidationError if `output` has another extension than .exr or .png.
   std::filesystem::path exr(const std::string& input) const;
   std::filesystem::path png(const std::string& input) const { return exr(input).replace_extension(".png"); }
-
-  /// Throws std::runtime_error if either cannot be written.
-  void requireWritable(const std::string& input) const;
 };
 
 /// Reconstructs a tally as its scene asks, draws the sun if it is visible, and writes the linear EXR and the PNG

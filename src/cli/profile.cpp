@@ -44,6 +44,7 @@ nlohmann::ordered_json json(const ScatterProfile::Summary& s) {
   json["external"] = s.external;
   json["by_order"] = s.byOrder;
   json["mean_path"] = s.meanPath;
+  json["mean_path_stderr"] = s.meanPathError;
   json["volume"] = s.volume;
   json["surface"] = s.surface;
   json["mean_projected_area"] = s.meanProjectedArea;
@@ -54,11 +55,11 @@ nlohmann::ordered_json json(const ScatterProfile::Summary& s) {
 
 int runProfile(const ProfileOptions& options) {
   const Scene scene = options.run.load().scene;
-  requireWritable(options.output);
-  requireWritable(options.summary);
+  requireOutputs(options.run.scene, {options.output, options.summary, options.run.stats});
   const Cloud cloud = makeCloud(scene);
   ScatterProfile profile(options.bins, radians(options.from), radians(options.to));
-  const RunResult result = runTrace(options.run, scene, cloud, profile);
+  const StopSignal stop;
+  const RunResult result = runTrace(options.run, scene, cloud, profile, stop);
   writeText(options.output, csv(profile));
   if (!options.summary.empty()) writeJson(options.summary, json(profile.summary()));
   return result.exitCode();

@@ -3,6 +3,7 @@
 #include "cli/picture.h"
 #include "cli/run_options.h"
 #include "cli/tally_run.h"
+#include "cli/text_output.h"
 
 namespace parhelion::cli {
 
@@ -15,8 +16,11 @@ struct RenderOptions {
 
 int runRender(const RenderOptions& options) {
   const LoadedScene loaded = options.run.load();
-  options.picture.requireWritable(options.run.scene);
-  const TallyRun run = traceTally(options.run, loaded, makeCloud(loaded.scene));
+  const std::string& scene = options.run.scene;
+  requireOutputs(scene, {options.picture.exr(scene), options.picture.png(scene), options.run.stats});
+  // Also while the picture is made, so that a late Ctrl-C does not lose what was traced.
+  const StopSignal stop;
+  const TallyRun run = traceTally(options.run, loaded, makeCloud(loaded.scene), stop);
   writePicture(run.tally, loaded, options.picture, options.run.scene, options.run.quiet);
   return run.result.exitCode();
 }

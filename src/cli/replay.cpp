@@ -18,14 +18,23 @@ struct ReplayOptions {
   bool json = false;
 };
 
+nlohmann::ordered_json numbers(const Vec3& v) { return {v.x, v.y, v.z}; }
+
+/// The crystal's faces, so that every hit can be checked: n . x = offset for the points x of a face.
+nlohmann::ordered_json facesJson(const Crystal& crystal) {
+  auto json = nlohmann::ordered_json::array();
+  const auto& faces = crystal.mesh->faces();
+  for (int i = 0; i < static_cast<int>(faces.size()); ++i)
+    json.push_back({{"face", faces[i].number}, {"normal", numbers(faces[i].normal)}, {"offset", crystal.offset(i)}});
+  return json;
+}
+
 /// "3-1-5": the faces met up to encounter `order`.
 std::string raypath(const LightPath& path, int order) {
   std::string faces;
   for (int k = 0; k <= order; ++k) faces += (k ? "-" : "") + std::to_string(path.encounters[k].faceNumber);
   return faces;
 }
-
-nlohmann::ordered_json numbers(const Vec3& v) { return {v.x, v.y, v.z}; }
 
 nlohmann::ordered_json sky(const Vec3& lightDirWorld) {
   const SkyPoint point = skyPoint(-lightDirWorld);
@@ -59,6 +68,7 @@ nlohmann::ordered_json pathJson(const LightPath& path, const std::string& popula
   json["weight"] = ray.weight;
   json["light_direction_world"] = numbers(ray.lightDirWorld);
   json["light_direction"] = numbers(ray.lightDirCrystal);
+  json["faces"] = facesJson(ray.crystal);
   json["hits"] = nlohmann::ordered_json::array();
   for (const Encounter& hit : path.encounters) json["hits"].push_back(hitJson(hit));
   json["exits"] = nlohmann::ordered_json::array();
@@ -118,7 +128,7 @@ void addReplay(CLI::App& app, int& exit) {
   command->add_option("--ray", options->ray, "Index of the ray, from 0")
       ->required()
       ->type_name("N")
-      ->check(CLI::Validator(validWholeNumber, ""));
+      ->check(wholeNumber());
   command->add_flag("--json", options->json, "The same as JSON");
   command->callback([options, &exit] { exit = runReplay(*options); });
 }

@@ -7,8 +7,7 @@
 #include "cli/commands.h"
 #include "cli/progress.h"
 #include "cli/stats.h"
-#include "cli/stop_signal.h"
-#include "cli/text_output.h"
+#include "scene/suggest.h"
 
 namespace parhelion::cli {
 
@@ -34,11 +33,42 @@ std::string validResolution(const std::string& text) {
 
 }  // namespace
 
-std::string validWholeNumber(const std::string& text) {
-  std::int64_t value = -1;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error == std::errc() && end == text.data() + text.size() && value >= 0) return {};
-  return "expected a whole number from 0 to 9223372036854775807, not '" + text + "'";
+CLI::Validator wholeNumber() {
+  return CLI::Validator(
+      [](const std::string& text) -> std::string {
+        std::int64_t value = -1;
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+        if (error == std::errc() && end == text.data() + text.size() && value >= 0) return {};
+        return "expected a whole number from 0 to 9223372036854775807, not '" + text + "'";
+      },
+      "");
+}
+
+CLI::Validator number(double least, double most) {
+  return CLI::Validator(
+      [=](const std::string& text) -> std::string {
+        double value = 0.0;
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+        if (error == std::errc() && end == text.data() + text.size() && value >= least && value <= most) return {};
+        char expected[100];
+        std::snprintf(expected, sizeof expected, "expected a number from %g to %g, not '", least, most);
+        return expected + text + "'";
+      },
+      "");
+}
+
+CLI::Validator oneOf(std::vector<std::string_view> accepted) {
+  return CLI::Validator(
+      [accepted](const std::string& text) -> std::string {
+        std::string all;
+        for (const std::string_view name : accepted) {
+          if (name == text) return {};
+          all += (all.empty() ? "" : ", ") + std::string(name);
+        }
+        const std::string hint = didYouMean(text, accepted);
+        return "expected one of " + all + ", not '" + text + "'" + (hint.empty() ? "" : "; " + hint);
+      },
+      "");
 }
 
 void RunOptions::addTo(CLI::App& command, bool hasImage) {
@@ -49,17 +79,17 @@ void RunOptions::addTo(CLI::App& command, bool hasImage) {
   command.add_option("--rays", rays, "Incident rays, all wavelengths together; k, M and G are understood")
       ->type_name("N")
       ->check(CLI::Validator(validRays, ""));
-  command.add_option("--seed", seed, "Seed of the random numbers")
-      ->type_name("N")
-      ->check(CLI::Validator(validWholeNumber, ""));
-  command.add_option("--engine", engine, "What finds the next face of a crystal")->type_name("NAME");
+  command.add_option("--seed", seed, "Seed of the random numbers")->type_name("N")->check(wholeNumber());
+  command.add_option("--engine", engine, "What finds the next face of a crystal")
+      ->type_name("NAME")
+      ->check(nameOfOne<Engine>(kEngineNames));
   if (hasImage)
     command.add_option("--resolution", resolution, "Size of the picture in pixels")
         ->type_name("WxH")
         ->check(CLI::Validator(validResolution, ""));
   command.add_option("--time", timeLimit, "Stop after this many seconds, whatever has been traced")
       ->type_name("SECONDS")
-      ->check(CLI::PositiveNumber);
+      ->check(number(1e-3, 1e9));
   command.add_option("--nthreads", threads, "Threads; as many as there are processors when left out")
       ->type_name("N")
       ->check(CLI::Range(1, 4096));
@@ -86,9 +116,8 @@ int RunResult::exitCode() const { return signalled ? kInterrupted : kDone; }
 
 Cloud makeCloud(const Scene& scene) { return Cloud(scene.sun, scene.ice, scene.populations); }
 
-RunResult runTrace(const RunOptions& options, const Scene& scene, const Cloud& cloud, PathTally& tally) {
-  requireWritable(options.stats);
-  const StopSignal stop;
+RunResult runTrace(const RunOptions& options, const Scene& scene, const Cloud& cloud, PathTally& tally,
+                   const StopSignal& stop) {
   Progress progress(scene.trace.rays, options.quiet                ? Progress::Style::none
                                       : options.progress == "json" ? Progress::Style::json
                                                                    : Progress::Style::people);

@@ -2,11 +2,15 @@
 #pragma once
 
 #include <limits>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <CLI/CLI.hpp>
 
+#include "cli/stop_signal.h"
+#include "scene/names.h"
 #include "scene/parse_scene.h"
 #include "trace/trace.h"
 
@@ -30,8 +34,19 @@ struct RunOptions {
   LoadedScene load() const;
 };
 
-/// For CLI11: empty where `text` is a whole number from 0 that a scene file can hold, else what was expected.
-std::string validWholeNumber(const std::string& text);
+// For CLI11's options: checks that say in one line what was expected.
+CLI::Validator wholeNumber();  // from 0, as far as a scene file can hold it
+CLI::Validator number(double least, double most);
+
+CLI::Validator oneOf(std::vector<std::string_view> accepted);
+
+/// One of the names, with a suggestion where it is nearly one.
+template <class E>
+CLI::Validator nameOfOne(std::span<const Named<E>> names) {
+  std::vector<std::string_view> accepted;
+  for (const Named<E>& named : names) accepted.push_back(named.name);
+  return oneOf(std::move(accepted));
+}
 
 /// How a run ended.
 struct RunResult {
@@ -43,7 +58,8 @@ struct RunResult {
 
 /// Traces what the scene asks for into `tally`: with progress on stderr, stopping at the batch's end on SIGINT and
 /// SIGTERM, with the energy ledger printed and the stats file written at the end.
-RunResult runTrace(const RunOptions& options, const Scene& scene, const Cloud& cloud, PathTally& tally);
+RunResult runTrace(const RunOptions& options, const Scene& scene, const Cloud& cloud, PathTally& tally,
+                   const StopSignal& stop);
 
 /// The cloud of a scene.
 Cloud makeCloud(const Scene& scene);

@@ -5,7 +5,7 @@
 
 namespace parhelion::cli {
 
-TallyRun traceTally(const RunOptions& options, const LoadedScene& loaded, const Cloud& cloud) {
+TallyRun traceTally(const RunOptions& options, const LoadedScene& loaded, const Cloud& cloud, const StopSignal& stop) {
   const Scene& scene = loaded.scene;
   TallyInfo info;
   info.seed = scene.trace.seed;
@@ -18,7 +18,7 @@ TallyRun traceTally(const RunOptions& options, const LoadedScene& loaded, const 
 
   TallyRun run{Tally(info, cloud.spectrum().colours()), {}};
   SkyFilm film(run.tally);
-  run.result = runTrace(options, scene, cloud, film);
+  run.result = runTrace(options, scene, cloud, film, stop);
   if (run.result.report.rays > 0) run.tally.info.rays = {{run.result.report.firstRay, run.result.report.rays}};
   return run;
 }

@@ -13,7 +13,7 @@ struct TallyRun {
 };
 
 /// Traces a scene into the tally of its camera, with all that the tally's info says filled in.
-TallyRun traceTally(const RunOptions& options, const LoadedScene& loaded, const Cloud& cloud);
+TallyRun traceTally(const RunOptions& options, const LoadedScene& loaded, const Cloud& cloud, const StopSignal& stop);
 
 /// What every EXR of ours says about itself: the program, and the scene with which it can be made again.
 ExrAttributes sceneAttributes(const LoadedScene& loaded, std::uint64_t rays);

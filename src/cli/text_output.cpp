@@ -4,14 +4,30 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
+#include <set>
 #include <stdexcept>
+
+#include <CLI/CLI.hpp>
 
 #include "image/atomic_file.h"
 
 namespace parhelion::cli {
 
-void requireWritable(const std::string& path) {
-  if (path != "-" && !path.empty()) AtomicFile file(path);
+void requireOutputs(const std::string& input, std::initializer_list<std::string> outputs) {
+  std::set<std::filesystem::path> taken{std::filesystem::weakly_canonical(std::filesystem::absolute(input))};
+  for (const std::string& output : outputs) {
+    if (output.empty()) continue;
+    const auto place = output == "-" ? std::filesystem::path("-")
+                                     : std::filesystem::weakly_canonical(std::filesystem::absolute(output));
+    // Devices and pipes take any number of outputs.
+    if (std::filesystem::exists(place) && !std::filesystem::is_regular_file(place) &&
+        !std::filesystem::is_directory(place))
+      continue;
+    if (!taken.insert(place).second)
+      throw CLI::ValidationError("output", output + " would be written over the input or another output");
+    if (output != "-") AtomicFile file(output);
+  }
 }
 
 void writeText(const std::string& path, std::string_view text) {

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <initializer_list>
 #include <string>
 #include <string_view>
 
 namespace parhelion::cli {
 
-/// Throws std::runtime_error if a file cannot be written at `path`; changes nothing there. For long runs, before they
-/// start. "-" and "" are fine.
-void requireWritable(const std::string& path);
+/// For long runs, before they start: throws CLI::ValidationError if two of the outputs are one file or one of them is
+/// the file `input`, and std::runtime_error if one cannot be written. Changes nothing. Empty names do not count, "-" is
+/// stdout.
+void requireOutputs(const std::string& input, std::initializer_list<std::string> outputs);
 
 /// Writes a whole file, or to stdout for "-". A file that was there is replaced only once all is written.
 /// Throws std::runtime_error with the path and the reason.

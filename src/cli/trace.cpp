@@ -18,8 +18,9 @@ struct TraceOptions {
 
 int runTraceCommand(const TraceOptions& options) {
   const LoadedScene loaded = options.run.load();
-  requireWritable(options.output);
-  const TallyRun run = traceTally(options.run, loaded, makeCloud(loaded.scene));
+  requireOutputs(options.run.scene, {options.output, options.run.stats});
+  const StopSignal stop;
+  const TallyRun run = traceTally(options.run, loaded, makeCloud(loaded.scene), stop);
   writeTallyExr(options.output, run.tally);
   if (!options.run.quiet) std::fprintf(stderr, "wrote %s\n", options.output.c_str());
   return run.result.exitCode();

@@ -5,6 +5,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "image/camera.h"
 #include "scene/parse_scene.h"
 #include "scene/utf8.h"
 
@@ -16,8 +17,6 @@ namespace {
 constexpr Range kVisibleNanometres{360.0, 830.0};
 constexpr Range kIndexRange{1.0, 3.0, true};
 
-constexpr int kMaxSide = 65'536;              // pixels
-constexpr std::int64_t kMaxPixels = 1 << 28;  // an XYZ image in single precision of 3 GiB
 constexpr std::string_view kWarrenBrandt = "warren-brandt";
 
 std::optional<std::int64_t> integerIn(const toml::node* node, std::int64_t lo, std::int64_t hi) {
@@ -110,23 +109,23 @@ Json RayCount::schema() const {
 bool Resolution::read(const Value& in, std::array<int, 2>& out) const {
   const toml::array* list = in.node.as_array();
   const bool isPair = list && list->size() == 2;
-  const auto width = integerIn(isPair ? list->get(0) : nullptr, 1, kMaxSide);
-  const auto height = integerIn(isPair ? list->get(1) : nullptr, 1, kMaxSide);
+  const auto width = integerIn(isPair ? list->get(0) : nullptr, 1, kMaxImageSide);
+  const auto height = integerIn(isPair ? list->get(1) : nullptr, 1, kMaxImageSide);
   if (!width || !height) {
     return in.reject(
-        std::string("'resolution' must be [width, height], integers from 1 to ").append(std::to_string(kMaxSide)) +
+        std::string("'resolution' must be [width, height], integers from 1 to ").append(std::to_string(kMaxImageSide)) +
         " pixels");
   }
-  if (*width * *height > kMaxPixels) {
+  if (*width * *height > kMaxImagePixels) {
     return in.reject(std::string("an image of ").append(std::to_string(*width * *height)) +
-                     " pixels is too large; at most " + std::to_string(kMaxPixels));
+                     " pixels is too large; at most " + std::to_string(kMaxImagePixels));
   }
   out = {static_cast<int>(*width), static_cast<int>(*height)};
   return true;
 }
 
 Json Resolution::schema() const {
-  const Json side = {{"type", "integer"}, {"minimum", 1}, {"maximum", kMaxSide}};
+  const Json side = {{"type", "integer"}, {"minimum", 1}, {"maximum", kMaxImageSide}};
   return {{"type", "array"}, {"items", side}, {"minItems", 2}, {"maxItems", 2}};
 }
 

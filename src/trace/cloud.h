@@ -48,14 +48,14 @@ class Cloud {
   const std::vector<Population>& populations() const { return populations_; }
 
  private:
-  /// Light intercepted per unit of surface by one crystal of population `p`.
+  /// A crystal on its way to be accepted or not.
   struct Proposal {
     int population;
     Crystal crystal;
     Mat3 crystalToWorld;
     Vec3 lightDirWorld, lightDirCrystal;
     double area;
-    double interception;  // area / surface
+    double interception;  // area / surface: light intercepted per unit of surface
   };
   template <class Random>
   Proposal propose(int population, Random& random) const;

@@ -24,22 +24,23 @@ int ScatterProfile::binAt(double angle) const {
 
 void ScatterProfile::add(std::span<const LightPath> bundle) {
   deposits_.clear();
-  double cosine = 0.0;
-  for (const LightPath& path : bundle) cosine += addPath(path);
+  bundleCosine_ = bundlePath_ = 0.0;
+  for (const LightPath& path : bundle) addPath(path);
   bins_.add(deposits_);
-  cosine_.add(cosine);
-  cosineSquared_.add(cosine * cosine);
+  cosine_.add(bundleCosine_);
+  cosineSquared_.add(bundleCosine_ * bundleCosine_);
+  path_.add(bundlePath_);
+  pathSquared_.add(bundlePath_ * bundlePath_);
   ++bundles_;
 }
 
-double ScatterProfile::addPath(const LightPath& path) {
+void ScatterProfile::addPath(const LightPath& path) {
   const double light = path.incident.light.light;
-  double cosine = 0.0;
   for (const Exit& exit : path.exits) {
     const double energy = exit.energy * light;
     const double angle = exit.undeviated ? 0.0 : angleBetween(path.incident.lightDirWorld, exit.lightDirWorld);
     if (const int bin = binAt(angle); bin != kNoBin) deposits_.add(bin, energy);
-    cosine += energy * (exit.undeviated ? 1.0 : glm::dot(path.incident.lightDirWorld, exit.lightDirWorld));
+    bundleCosine_ += energy * (exit.undeviated ? 1.0 : glm::dot(path.incident.lightDirWorld, exit.lightDirWorld));
     if (exit.undeviated) undeviated_.add(energy);
     if (exit.order >= static_cast<int>(byOrder_.size())) byOrder_.resize(exit.order + 1);
     byOrder_[exit.order].add(energy);
@@ -47,7 +48,7 @@ double ScatterProfile::addPath(const LightPath& path) {
 
   ++rays_;
   intercepted_.add(path.incident.weight * light);
-  path_.add(path.internalPath * light);
+  bundlePath_ += path.internalPath * light;
   cutOff_.add(path.cutOff * light);
   lost_.add(path.lost * light);
   // Rays come to crystals in proportion to A; dividing by it counts crystals.
@@ -56,7 +57,6 @@ double ScatterProfile::addPath(const LightPath& path) {
   perArea_.add(perArea);
   surfacePerArea_.add(perArea * path.incident.crystal.surface());
   volumePerArea_.add(perArea * path.incident.crystal.volume());
-  return cosine;
 }
 
 std::unique_ptr<PathTally> ScatterProfile::forThread() {
@@ -69,9 +69,9 @@ void ScatterProfile::merge(const PathTally& fromThread) {
   rays_ += other.rays_;
   bundles_ += other.bundles_;
   for (const auto sum : {&ScatterProfile::intercepted_, &ScatterProfile::undeviated_, &ScatterProfile::cosine_,
-                         &ScatterProfile::cosineSquared_, &ScatterProfile::path_, &ScatterProfile::cutOff_,
-                         &ScatterProfile::lost_, &ScatterProfile::weight_, &ScatterProfile::perArea_,
-                         &ScatterProfile::surfacePerArea_, &ScatterProfile::volumePerArea_})
+                         &ScatterProfile::cosineSquared_, &ScatterProfile::path_, &ScatterProfile::pathSquared_,
+                         &ScatterProfile::cutOff_, &ScatterProfile::lost_, &ScatterProfile::weight_,
+                         &ScatterProfile::perArea_, &ScatterProfile::surfacePerArea_, &ScatterProfile::volumePerArea_})
     (this->*sum).merge(other.*sum);
   byOrder_.resize(std::max(byOrder_.size(), other.byOrder_.size()));
   for (std::size_t k = 0; k < other.byOrder_.size(); ++k) byOrder_[k].merge(other.byOrder_[k]);
@@ -91,17 +91,23 @@ std::vector<ScatterProfile::Bin> ScatterProfile::bins() const {
   return bins;
 }
 
+double ScatterProfile::errorOf(const ExactSum& sum, const ExactSum& squares) const {
+  if (bundles_ == 0) return 0.0;
+  const double scatter = squares.value() - sum.value() * sum.value() / static_cast<double>(bundles_);
+  return std::sqrt(std::max(0.0, scatter)) / intercepted_.value();
+}
+
 ScatterProfile::Summary ScatterProfile::summary() const {
   const double all = rays_ > 0 ? intercepted_.value() : 1.0;
   Summary s{};
   s.rays = rays_;
   s.g = cosine_.value() / all;
-  const double bundles = std::max(1.0, static_cast<double>(bundles_));
-  s.gError = std::sqrt(std::max(0.0, cosineSquared_.value() - cosine_.value() * cosine_.value() / bundles)) / all;
+  s.gError = errorOf(cosine_, cosineSquared_);
   s.undeviated = undeviated_.value() / all;
   for (const ExactSum& order : byOrder_) s.byOrder.push_back(order.value() / all);
   s.external = s.byOrder.empty() ? 0.0 : s.byOrder[0];
   s.meanPath = path_.value() / all;
+  s.meanPathError = errorOf(path_, pathSquared_);
   const double crystals = rays_ > 0 ? perArea_.value() : 1.0;
   s.volume = volumePerArea_.value() / crystals;
   s.surface = surfacePerArea_.value() / crystals;

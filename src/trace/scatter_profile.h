@@ -30,11 +30,11 @@ class ScatterProfile : public PathTally {
 
   struct Summary {
     std::uint64_t rays;
-    double g, gError;                           // mean cosine of the scattering angle, and its standard error
-    double undeviated;                          // share that goes on as if there were no crystal
-    double external;                            // share reflected at the outside
-    std::vector<double> byOrder;                // share leaving at internal encounter k; 0 is external
-    double meanPath;                            // energy-weighted internal path per intercepted ray
+    double g, gError;                // mean cosine of the scattering angle, and its standard error
+    double undeviated;               // share that goes on as if there were no crystal
+    double external;                 // share reflected at the outside
+    std::vector<double> byOrder;     // share leaving at internal encounter k; 0 is external
+    double meanPath, meanPathError;  // energy-weighted internal path per intercepted ray, and its standard error
     double volume, surface, meanProjectedArea;  // of the mean crystal of the cloud
     double cutOff, lost;                        // shares
   };
@@ -44,15 +44,18 @@ class ScatterProfile : public PathTally {
   static constexpr int kNoBin = -1;
   int binAt(double angle) const;
 
-  /// Adds one path of a bundle; returns its light times the cosine of the scattering angle.
-  double addPath(const LightPath& path);
+  void addPath(const LightPath& path);
+
+  /// Standard error of `sum` over the intercepted light, from the sum of its squares per bundle.
+  double errorOf(const ExactSum& sum, const ExactSum& squares) const;
 
   double from_, width_;
   BundleBins bins_;
   BundleDeposits<double> deposits_;
+  double bundleCosine_ = 0.0, bundlePath_ = 0.0;  // light times cosine and internal path, of the bundle being added
 
   std::uint64_t rays_ = 0, bundles_ = 0;
-  ExactSum intercepted_, undeviated_, cosine_, cosineSquared_, path_, cutOff_, lost_;
+  ExactSum intercepted_, undeviated_, cosine_, cosineSquared_, path_, pathSquared_, cutOff_, lost_;
   ExactSum weight_, perArea_, surfacePerArea_,
       volumePerArea_;  // sums over rays of 1, 1 / A, S / A, V / A; A the projected area
   std::vector<ExactSum> byOrder_;

@@ -72,7 +72,9 @@ TEST_CASE("a tally reconstructed from disk is the picture that render makes at o
     CHECK(readFile(folder / "a.png") == readFile(folder / "b.png"));
   }
   const std::string before = readFile(folder / "t.exr");
-  CHECK(run(folder, "parhelion recon t.exr").exit == 2);
+  CHECK(run(folder, "parhelion recon t.exr").exit == 0);
+  CHECK(std::filesystem::exists(folder / "t-sky.png"));
+  CHECK(run(folder, "parhelion recon t.exr -o t.exr").exit == 2);
   CHECK(run(folder, "parhelion recon a.exr -o c.exr").exit == 1);
   CHECK(readFile(folder / "t.exr") == before);
 }
@@ -186,6 +188,7 @@ TEST_CASE("the schema is JSON, and the one in docs is the one printed") {
 
 TEST_CASE("mistakes on the command line are one clear complaint and exit 2") {
   WithScene folder;
+  std::filesystem::create_symlink("s.toml", folder / "link.csv");
   const struct {
     const char *command, *says;
   } cases[] = {
@@ -197,7 +200,15 @@ TEST_CASE("mistakes on the command line are one clear complaint and exit 2") {
       {"parhelion render s.toml --rays 0", "--rays"},
       {"parhelion render s.toml --seed -1", "whole number"},
       {"parhelion render s.toml --resolution 64", "WIDTHxHEIGHT"},
-      {"parhelion render s.toml --engine embre", "did you mean"},
+      {"parhelion render s.toml --engine embre", "did you mean 'embree'"},
+      {"parhelion render s.toml --exposure nan", "expected a number"},
+      {"parhelion render s.toml --time 0", "expected a number"},
+      {"parhelion render s.toml -o sky.jpg", ".exr"},
+      {"parhelion profile s.toml -o s.toml", "written over"},
+      {"parhelion profile s.toml -o a.csv --summary ./a.csv", "written over"},
+      {"parhelion map s.toml -o link.csv", "written over"},
+      {"parhelion trace s.toml -o t.exr --stats s.toml", "written over"},
+      {"parhelion profile s.toml --summary -", "written over"},
       {"parhelion render s.toml -D sun.elevation=100", "-D sun.elevation=100"},
       {"parhelion profile s.toml --from 10 --to 5", "--from"},
       {"parhelion map s.toml --step 0.7", "--step"},
@@ -210,6 +221,7 @@ TEST_CASE("mistakes on the command line are one clear complaint and exit 2") {
     CHECK_MESSAGE(outcome.out.empty(), command);
   }
   CHECK_FALSE(std::filesystem::exists(folder / "s.exr"));
+  CHECK(readFile(folder / "s.toml") == kScene);
 }
 
 TEST_CASE("outputs that cannot be written are one clear line, exit 1, before any ray is traced") {
@@ -232,7 +244,8 @@ TEST_CASE("a full disk is one clear line and exit 1") {
   WithScene folder;
   for (const char* command :
        {"parhelion profile s.toml --quiet -o /dev/full", "parhelion profile s.toml --quiet > /dev/full",
-        "parhelion trace s.toml --quiet -o /dev/full"}) {
+        "parhelion trace s.toml --quiet -o /dev/full", "parhelion schema > /dev/full",
+        "parhelion replay s.toml --ray 1 > /dev/full", "parhelion --help > /dev/full"}) {
     const Outcome outcome = run(folder, command);
     CHECK_MESSAGE(outcome.exit == 1, command);
     CHECK_MESSAGE(outcome.err.find("No space left") != std::string::npos, outcome.err);

@@ -132,13 +132,13 @@ TEST_CASE("fields of view stay within what the projection can show") {
 }
 
 TEST_CASE("resolutions are two integers, of an image that fits into memory") {
-  const Lines expected{"2:14 'resolution' must be [width, height], integers from 1 to 65536 pixels"};
+  const Lines expected{"2:14 'resolution' must be [width, height], integers from 1 to 32768 pixels"};
   CHECK(wrong("[camera]\nresolution = [0, 10]") == expected);
   CHECK(wrong("[camera]\nresolution = [10.0, 10]") == expected);
   CHECK(wrong("[camera]\nresolution = [10]") == expected);
   CHECK(wrong("[camera]\nresolution = 10") == expected);
-  CHECK(wrong("[camera]\nresolution = [65536, 4096]").empty());
-  CHECK(wrong("[camera]\nresolution = [65536, 4097]").size() == 1);
+  CHECK(wrong("[camera]\nresolution = [32768, 8192]").empty());
+  CHECK(wrong("[camera]\nresolution = [32768, 8193]").size() == 1);
 }
 
 TEST_CASE("all errors are told at once, sorted by position, each with its line and a caret") {
