@@ -117,11 +117,12 @@ Grid<float> correctionGates(const Corrections& corrections, const KernelField& f
   constexpr double kWindow = 2.0;       // half side, standard deviations of the kernels
   constexpr double kLeastWindow = 1.5;  // blocks
   constexpr double kRounding = 1e-9;    // of the sums: at most 1e4 a block, 1e8 blocks, 1e-16 of that
+  const Grid<KernelSite>& sites = field.level(std::min(1, field.levels() - 1));  // a single pixel has but one level
   Grid<float> gates(blocks.width(), blocks.height());
   forRows(blocks.height(), [&](int y) {
     for (int x = 0; x < blocks.width(); ++x) {
       if (blocks.at(x, y).pixels <= 0.0F) continue;
-      const float density = field.level(1).at(x, y).density;
+      const float density = sites.at(x, y).density;
       const double sigma = std::sqrt(static_cast<double>(kernelVariance(hits, density)));
       const int r = static_cast<int>(std::clamp(0.5 * kWindow * sigma, kLeastWindow, 1e5) + 0.5);
       const double kept = correction.square(x, y, r), lost = caution * noise.square(x, y, r);

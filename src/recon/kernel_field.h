@@ -28,6 +28,7 @@ class KernelField {
  public:
   KernelField(const SkyPyramid& sky, Grid<KernelSite> pixels);
 
+  int levels() const { return static_cast<int>(levels_.size()); }
   const Grid<KernelSite>& level(int l) const { return levels_[static_cast<std::size_t>(l)]; }
   const Grid<KernelSite>& pixels() const { return levels_[0]; }
 

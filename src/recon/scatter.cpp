@@ -176,19 +176,21 @@ void divideByOmega(Grid<Light<N>>& out, const SkyLevel& sky, const Grid<KernelSi
   });
 }
 
-/// Adds the values of a coarser level, interpolated between the centres of its cells that show sky.
+/// Adds the values of a coarser level, interpolated between the centres of its cells, each counting by the sky it
+/// shows: else the light of a cell that the border leaves but a sliver of would come back once for every pixel beside
+/// it.
 template <std::size_t N>
-void addInterpolated(Grid<Light<N>>& fine, const Grid<float>& fineOmega, const Grid<Light<N>>& coarse,
-                     const Grid<float>& coarseOmega) {
+void addInterpolated(Grid<Light<N>>& fine, const SkyLevel& fineSky, const Grid<Light<N>>& coarse,
+                     const SkyLevel& coarseSky) {
   forRows(fine.height(), [&](int y) {
     const int y0 = y / 2, y1 = std::clamp(y0 + (y % 2 == 0 ? -1 : 1), 0, coarse.height() - 1);
     for (int x = 0; x < fine.width(); ++x) {
-      if (fineOmega.at(x, y) <= 0.0F) continue;
+      if (fineSky.omega.at(x, y) <= 0.0F) continue;
       const int x0 = x / 2, x1 = std::clamp(x0 + (x % 2 == 0 ? -1 : 1), 0, coarse.width() - 1);
       Light<N> sum{};
       float weights = 0.0F;
       const auto take = [&](int cx, int cy, float weight) {
-        if (coarseOmega.at(cx, cy) <= 0.0F) return;
+        weight *= coarseSky.coverage.at(cx, cy);
         weights += weight;
         for (std::size_t c = 0; c < N; ++c) sum[c] += weight * coarse.at(cx, cy)[c];
       };
@@ -241,7 +243,7 @@ Grid<Light<N>> scatter(const SkyPyramid& sky, const KernelField& field, const Gr
         l > 0 ? spreadLevel(here, sources.back(), l) : spreadPixels(field.pixels(), light, hits, sky.levels());
     sources.pop_back();
     divideByOmega(out, here, field.level(l), hits, l);
-    if (coarse.size() > 0) addInterpolated(out, here.omega, coarse, sky.level(l + 1).omega);
+    if (coarse.size() > 0) addInterpolated(out, here, coarse, sky.level(l + 1));
     coarse = std::move(out);
   }
   return coarse;

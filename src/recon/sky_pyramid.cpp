@@ -2,6 +2,7 @@
 #include "recon/sky_pyramid.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace parhelion {
 namespace {
@@ -44,14 +45,15 @@ Grid<float> halved(const Grid<float>& fine) {
   return coarse;
 }
 
-Grid<float> filledUp(const SkyLevel& sky) {
-  Grid<float> whole = sky.omega;
-  forRows(sky.height(), [&](int y) {
-    for (int x = 0; x < sky.width(); ++x) {
-      if (sky.border.at(x, y) != 1) continue;
-      for (int ny = std::max(y - 1, 0); ny < std::min(y + 2, sky.height()); ++ny) {
-        for (int nx = std::max(x - 1, 0); nx < std::min(x + 2, sky.width()); ++nx)
-          whole.at(x, y) = std::max(whole.at(x, y), sky.omega.at(nx, ny));
+/// At the border the value of the largest neighbour, elsewhere the pixel's own.
+Grid<float> filledUp(const Grid<float>& omega, const Grid<std::uint8_t>& border) {
+  Grid<float> whole = omega;
+  forRows(omega.height(), [&](int y) {
+    for (int x = 0; x < omega.width(); ++x) {
+      if (border.at(x, y) != 1) continue;
+      for (int ny = std::max(y - 1, 0); ny < std::min(y + 2, omega.height()); ++ny) {
+        for (int nx = std::max(x - 1, 0); nx < std::min(x + 2, omega.width()); ++nx)
+          whole.at(x, y) = std::max(whole.at(x, y), omega.at(nx, ny));
       }
     }
   });
@@ -73,12 +75,18 @@ SkyPyramid::SkyPyramid(int width, int height, const std::vector<double>& solidAn
   for (std::size_t i = 0; i < omega.size(); ++i) {
     if (solidAngles[i] > 0.0) omega[i] = static_cast<float>(solidAngles[i] / meanSolidAngle_);
   }
-  for (;;) {
-    levels_.push_back({omega, borderDistance(omega)});
-    if (omega.width() <= 1 && omega.height() <= 1) break;
-    omega = halved(omega);
+  Grid<std::uint8_t> border = borderDistance(omega);
+  wholeOmega_ = filledUp(omega, border);
+  Grid<float> coverage(width, height);
+  for (std::size_t i = 0; i < omega.size(); ++i) {
+    if (omega[i] > 0.0F) coverage[i] = 1.0F;
   }
-  wholeOmega_ = filledUp(levels_[0]);
+  levels_.push_back({std::move(omega), std::move(coverage), std::move(border)});
+  while (levels_.back().omega.size() > 1) {
+    omega = halved(levels_.back().omega);
+    border = borderDistance(omega);
+    levels_.push_back({std::move(omega), halved(levels_.back().coverage), std::move(border)});
+  }
 }
 
 }  // namespace parhelion

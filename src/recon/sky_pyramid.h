@@ -12,6 +12,8 @@ namespace parhelion {
 struct SkyLevel {
   /// Solid angle of the cell per pixel area, relative to the mean pixel that shows sky; 0 where there is no sky.
   Grid<float> omega;
+  /// Share of the cell's pixels that show sky, whatever their solid angle: below 1 only at the border.
+  Grid<float> coverage;
   /// Columns or rows, whichever are more, to the nearest cell without sky or outside the picture: 0 for such a cell
   /// itself, at most 255.
   Grid<std::uint8_t> border;

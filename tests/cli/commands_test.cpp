@@ -79,6 +79,31 @@ TEST_CASE("a tally reconstructed from disk is the picture that render makes at o
   CHECK(readFile(folder / "t.exr") == before);
 }
 
+TEST_CASE(
+    "the reconstruction keeps the brightest light of sharp arcs, also where the border cuts slivers off its cells") {
+  // Columns that point at the sun make rings a pixel wide; 300 pixels leave such slivers in an image circle, 301 do
+  // not.
+  Folder folder;
+  writeFile(folder / "rings.toml",
+            "[[population]]\norientation = { zenith = 90.0, azimuth = 0, roll = { uniform = [0, 360] } }\n"
+            "[camera]\nelevation = 0.0\nfov_horizontal = 360.0\n[trace]\nrays = \"300k\"\n");
+  const auto peak = [&](const std::string& method, const std::string& size) {
+    REQUIRE(
+        run(folder, "parhelion render rings.toml --quiet -D recon.method=" + method + " --resolution " + size).exit ==
+        0);
+    const std::string info = run(folder, "parhelion info rings.exr").out;
+    const std::size_t green = info.find("channel G");
+    return std::stod(info.substr(info.find("max", green) + 3));
+  };
+  for (const std::string size : {"300x300", "301x301"}) CHECK(peak("adaptive", size) > 0.5 * peak("none", size));
+}
+
+TEST_CASE("a picture of one pixel is made by every method") {
+  WithScene folder;
+  for (const std::string method : {"none", "adaptive"})
+    CHECK(run(folder, "parhelion render s.toml --quiet --resolution 1x1 -D recon.method=" + method).exit == 0);
+}
+
 TEST_CASE("trace writes a tally that info understands") {
   WithScene folder;
   CHECK(run(folder, "parhelion trace s.toml -o t.exr").exit == 0);
