@@ -2,6 +2,7 @@
 #include <cstdio>
 
 #include "cli/commands.h"
+#include "cli/run_options.h"
 #include "scene/describe.h"
 #include "scene/parse_scene.h"
 #include "scene/schema.h"
@@ -36,9 +37,7 @@ void addCheck(CLI::App& app, int& exit) {
   auto options = std::make_shared<CheckOptions>();
   CLI::App* command = app.add_subcommand("check", "Validate scene files; traces nothing");
   command->add_option("scene", options->scenes, "Scene files")->required()->type_name("SCENE");
-  command->add_option("-D", options->overrides, "Override a key of the scene")
-      ->type_name("KEY=VALUE")
-      ->allow_extra_args(false);
+  addOverrides(*command, options->overrides);
   command->callback([options, &exit] { exit = runCheck(*options); });
 }
 

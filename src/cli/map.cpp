@@ -24,11 +24,10 @@ struct MapOptions {
 std::string csv(const SkyMap& map) {
   std::string text = "azimuth_deg,elevation_deg,energy,stderr\n";
   char line[120];
-  const auto tidy = [](double radians) { return std::round(degrees(radians) * 1e9) / 1e9; };
   for (int row = 0; row < map.rows(); ++row)
     for (int column = 0; column < map.columns(); ++column) {
-      std::snprintf(line, sizeof line, "%.10g,%.10g,%.9g,%.4g\n", tidy(map.azimuth(column)), tidy(map.elevation(row)),
-                    map.energy(column, row), map.error(column, row));
+      std::snprintf(line, sizeof line, "%.10g,%.10g,%.9g,%.4g\n", tableDegrees(map.azimuth(column)),
+                    tableDegrees(map.elevation(row)), map.energy(column, row), map.error(column, row));
       text += line;
     }
   return text;

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <cmath>
 #include <cstdio>
 
 #include <nlohmann/json.hpp>
@@ -21,15 +20,12 @@ struct ProfileOptions {
   std::string output = "-", summary;
 };
 
-/// An edge in degrees without the last bits that come from going through radians.
-double edge(double radians) { return std::round(degrees(radians) * 1e9) / 1e9; }
-
 std::string csv(const ScatterProfile& profile) {
   std::string text = "from_deg,to_deg,energy,stderr,phase\n";
   char line[160];
   for (const ScatterProfile::Bin& bin : profile.bins()) {
-    std::snprintf(line, sizeof line, "%.10g,%.10g,%.9g,%.4g,%.9g\n", edge(bin.from), edge(bin.to), bin.energy,
-                  bin.error, bin.phase);
+    std::snprintf(line, sizeof line, "%.10g,%.10g,%.9g,%.4g,%.9g\n", tableDegrees(bin.from), tableDegrees(bin.to),
+                  bin.energy, bin.error, bin.phase);
     text += line;
   }
   return text;

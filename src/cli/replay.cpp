@@ -122,9 +122,7 @@ void addReplay(CLI::App& app, int& exit) {
   CLI::App* command = app.add_subcommand(
       "replay", "Print the whole life of one ray: a line a hit, in the crystal's frame, lengths in hexagon sides");
   command->add_option("scene", options->scene, "The scene file")->required()->type_name("SCENE");
-  command->add_option("-D", options->overrides, "Override a key of the scene")
-      ->type_name("KEY=VALUE")
-      ->allow_extra_args(false);
+  addOverrides(*command, options->overrides);
   command->add_option("--ray", options->ray, "Index of the ray, from 0")
       ->required()
       ->type_name("N")

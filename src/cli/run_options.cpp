@@ -71,11 +71,15 @@ CLI::Validator oneOf(std::vector<std::string_view> accepted) {
       "");
 }
 
-void RunOptions::addTo(CLI::App& command, bool hasImage) {
-  command.add_option("scene", scene, "The scene file")->required()->type_name("SCENE");
+void addOverrides(CLI::App& command, std::vector<std::string>& overrides) {
   command.add_option("-D", overrides, "Override a key of the scene, for one sun.elevation=25; may be repeated")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
+}
+
+void RunOptions::addTo(CLI::App& command, bool hasImage) {
+  command.add_option("scene", scene, "The scene file")->required()->type_name("SCENE");
+  addOverrides(command, overrides);
   command.add_option("--rays", rays, "Incident rays, all wavelengths together; k, M and G are understood")
       ->type_name("N")
       ->check(CLI::Validator(validRays, ""));

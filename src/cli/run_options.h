@@ -34,6 +34,9 @@ struct RunOptions {
   LoadedScene load() const;
 };
 
+/// Adds -D key=value, which overrides a key of the scene, to a subcommand.
+void addOverrides(CLI::App& command, std::vector<std::string>& overrides);
+
 // For CLI11's options: checks that say in one line what was expected.
 CLI::Validator wholeNumber();  // from 0, as far as a scene file can hold it
 CLI::Validator number(double least, double most);

@@ -2,6 +2,7 @@
 #include "cli/text_output.h"
 
 #include <cerrno>
+#include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
@@ -11,6 +12,7 @@
 #include <CLI/CLI.hpp>
 
 #include "image/atomic_file.h"
+#include "math/conventions.h"
 
 namespace parhelion::cli {
 
@@ -29,6 +31,8 @@ void requireOutputs(const std::string& input, std::initializer_list<std::string>
     if (output != "-") AtomicFile file(output);
   }
 }
+
+double tableDegrees(double radians) { return std::round(degrees(radians) * 1e9) / 1e9; }
 
 void writeText(const std::string& path, std::string_view text) {
   if (path == "-") {

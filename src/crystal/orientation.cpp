@@ -8,19 +8,13 @@
 #include <optional>
 #include <stdexcept>
 
+#include "math/overloaded.h"
 #include "math/portable.h"
 #include "math/rotation.h"
 
 namespace parhelion {
 
 namespace {
-
-template <class... Fs>
-struct Overloaded : Fs... {
-  using Fs::operator()...;
-};
-template <class... Fs>
-Overloaded(Fs...) -> Overloaded<Fs...>;
 
 // Tables reach this many standard deviations, beyond which less than 2e-15 of a normal's weight lies ...
 constexpr double kNormalReach = 8.0;

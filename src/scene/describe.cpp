@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/describe.h"
 
+#include "math/overloaded.h"
 #include "scene/names.h"
 #include "scene/range.h"
 
 namespace parhelion {
 
 namespace {
-
-template <class... F>
-struct Overloaded : F... {
-  using F::operator()...;
-};
 
 /// How a distribution's numbers are shown: as they are, or radians as degrees.
 using Show = std::string (*)(double);

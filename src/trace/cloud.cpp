@@ -6,7 +6,6 @@
 
 #include <glm/matrix.hpp>
 
-#include "math/random.h"
 #include "optics/ice.h"
 
 namespace parhelion {
@@ -44,8 +43,7 @@ Cloud::Cloud(const SunSettings& sun, const IceSettings& ice, std::span<const Pop
   for (double& c : cumulative_) c /= total;
 }
 
-template <class Random>
-Cloud::Proposal Cloud::propose(int population, Random& random) const {
+Cloud::Proposal Cloud::propose(int population, RandomStream& random) const {
   const Population& kind = populations_[population];
   Proposal p;
   p.population = population;

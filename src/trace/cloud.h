@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "crystal/population.h"
+#include "math/random.h"
 #include "optics/spectrum.h"
 #include "optics/sun.h"
 
@@ -57,8 +58,7 @@ class Cloud {
     double area;
     double interception;  // area / surface: light intercepted per unit of surface
   };
-  template <class Random>
-  Proposal propose(int population, Random& random) const;
+  Proposal propose(int population, RandomStream& random) const;
 
   Sun sun_;
   Spectrum spectrum_;
