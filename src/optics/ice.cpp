@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "math/overloaded.h"
 #include "optics/tables.h"
 
 namespace parhelion {
@@ -17,9 +18,13 @@ double iceIndex(double wavelength) {
   return a.index + (wavelength - a.wavelength) / (b.wavelength - a.wavelength) * (b.index - a.index);
 }
 
-double refractiveIndex(const IceSettings& ice, double wavelength) {
-  const auto* constant = std::get_if<ConstantIce>(&ice);
-  return constant ? constant->index : iceIndex(wavelength);
+double refractiveIndex(const IceSettings& ice, double wavelength, std::uint64_t bundle) {
+  return std::visit(Overloaded{
+                        [&](const TabulatedIce&) { return iceIndex(wavelength); },
+                        [&](const ConstantIce& constant) { return constant.index; },
+                        [&](const IceMixture& mixture) { return mixture.indices[bundle / 2 % mixture.indices.size()]; },
+                    },
+                    ice);
 }
 
 }  // namespace parhelion

@@ -40,6 +40,11 @@ struct ConstantIce {
   double index = 1.31;
 };
 
-using IceSettings = std::variant<TabulatedIce, ConstantIce>;
+/// Several indices, each at every wavelength: rays take them in turn.
+struct IceMixture {
+  std::vector<double> indices;
+};
+
+using IceSettings = std::variant<TabulatedIce, ConstantIce, IceMixture>;
 
 }  // namespace parhelion

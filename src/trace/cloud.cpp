@@ -97,7 +97,7 @@ IncidentRay Cloud::sibling(const IncidentRay& ray, std::uint64_t seed, std::uint
   IncidentRay other = ray;
   other.index = index;
   other.light = spectrum_.sample((member + goldenQuantile(seed, ray.bundle)) / bundleSize());
-  other.iceIndex = refractiveIndex(ice_, other.light.wavelength);
+  other.iceIndex = refractiveIndex(ice_, other.light.wavelength, ray.bundle);
   return other;
 }
 

@@ -61,3 +61,12 @@ TEST_CASE("a constant index is the same at every wavelength") {
   CHECK(refractiveIndex(ConstantIce{1.31}, 700.0) == 1.31);
   CHECK(refractiveIndex(TabulatedIce{}, 550.0) == doctest::Approx(1.3110).epsilon(1e-9));
 }
+
+TEST_CASE("of a mixture of indices every half of the bundles takes each in turn") {
+  const IceSettings ice = IceMixture{{1.30, 1.31, 1.32}};
+  for (const std::uint64_t half : {0, 1}) {
+    double sum = 0.0;
+    for (std::uint64_t bundle = half; bundle < 12; bundle += 2) sum += refractiveIndex(ice, 550.0, bundle);
+    CHECK(sum == doctest::Approx(6 * 1.31));
+  }
+}
