@@ -21,6 +21,7 @@ set(third_party
   "sleef\\.h|math"
   "embree[34]/|trace"
   "tbb/|trace,recon"
+  "kissfft/|recon"
   "Imf|image"
   "Iex|image"
   "Imath|image"

@@ -8,7 +8,6 @@
 #include "image/exr.h"
 #include "image/png.h"
 #include "image/tone.h"
-#include "recon/reconstruct.h"
 #include "trace/draw_sun.h"
 
 namespace parhelion::cli {
@@ -34,21 +33,22 @@ std::filesystem::path PictureOptions::exr(const std::string& input) const {
   return path.replace_extension(".exr");
 }
 
-void writePicture(const Tally& tally, const LoadedScene& loaded, const PictureOptions& options,
+void writePicture(ReconstructedSky sky, const TallyInfo& info, const LoadedScene& loaded, const PictureOptions& options,
                   const std::string& input, bool quiet) {
-  Image sky = reconstruct(tally, loaded.scene.recon);
+  Image& image = sky.image;
   if (loaded.scene.sun.visible)
-    drawUndeviatedSun(sky, Camera(tally.info.camera), Sun(loaded.scene.sun), tally.info.undeviatedFraction());
-  const ExrAttributes attributes = sceneAttributes(loaded, tally.info.rayCount());
+    drawUndeviatedSun(image, Camera(info.camera), Sun(loaded.scene.sun), info.undeviatedFraction());
+  const ExrAttributes attributes = sceneAttributes(loaded, info.rayCount());
   const std::filesystem::path exr = options.exr(input), png = options.png(input);
-  writeBeautyExr(exr, sky, attributes);
+  writeBeautyExr(exr, image, attributes);
 
-  const double stops = options.exposure ? *options.exposure : autoExposure(sky);
-  const Preview preview = developPreview(sky, {stops});
+  const double stops = options.exposure ? *options.exposure : autoExposure(image);
+  const Preview preview = developPreview(image, {stops});
   char exposure[64];
   std::snprintf(exposure, sizeof exposure, "%+.2f stops", stops);
   writePng(png, preview, {{"Software", attributes.at("software")}, {"Exposure", exposure}});
   if (quiet) return;
+  for (const std::string& remark : sky.remarks) std::fprintf(stderr, "recon: %s\n", remark.c_str());
   std::fprintf(stderr, "wrote %s and %s (exposure %s)\n", exr.c_str(), png.c_str(), exposure);
   if (preview.badPixels > 0)
     std::fprintf(stderr, "%zu pixels are not finite and black in the preview\n", preview.badPixels);

@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 
 #include "image/tally.h"
+#include "recon/reconstruct.h"
 #include "scene/parse_scene.h"
 
 namespace parhelion::cli {
@@ -24,9 +25,10 @@ struct PictureOptions {
   std::filesystem::path png(const std::string& input) const { return exr(input).replace_extension(".png"); }
 };
 
-/// Reconstructs a tally as its scene asks, draws the sun if it is visible, and writes the linear EXR and the PNG
-/// preview. Says on stderr what was written unless `quiet`. Throws std::runtime_error.
-void writePicture(const Tally& tally, const LoadedScene& loaded, const PictureOptions& options,
+/// Draws the sun into a sky reconstructed from a tally with that info if the scene makes it visible, and writes the
+/// linear EXR and the PNG preview. Says on stderr what was written, and what the reconstruction remarked, unless
+/// `quiet`. Throws std::runtime_error.
+void writePicture(ReconstructedSky sky, const TallyInfo& info, const LoadedScene& loaded, const PictureOptions& options,
                   const std::string& input, bool quiet);
 
 }  // namespace parhelion::cli

@@ -1,9 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+
+#include <unistd.h>
+#include <nlohmann/json.hpp>
+
 #include "cli/commands.h"
 #include "cli/picture.h"
 #include "cli/run_options.h"
+#include "cli/stats.h"
 #include "cli/text_output.h"
+#include "image/confidence.h"
+#include "image/png.h"
 #include "image/tally_exr.h"
+#include "recon/compare.h"
+#include "recon/threads.h"
 
 namespace parhelion::cli {
 
@@ -11,20 +24,223 @@ namespace {
 
 struct ReconOptions {
   std::string tally, method;
+  std::vector<std::string> overrides, references;
   PictureOptions picture;
-  bool quiet = false;
+  std::string confidence, stats;
+  std::string progress = "auto";  // "auto", "json"
+  int threads = 0;
+  bool json = false, quiet = false;
+
+  LoadedScene load(const Tally& traced) const {
+    std::vector<std::string> all;
+    // The settings of the scene's own method are none of another's.
+    if (!method.empty()) all.push_back("recon={method='" + method + "'}");
+    all.insert(all.end(), overrides.begin(), overrides.end());
+    return parseScene(traced.info.scene, "the scene in " + tally, all);
+  }
 };
+
+/// Shows on stderr how far a reconstruction is: redrawn each percent on a terminal, as JSON a line each tenth.
+class ReconProgress {
+ public:
+  ReconProgress(bool json, bool quiet) : json_(json && !quiet), terminal_(!json && !quiet && isatty(STDERR_FILENO)) {}
+
+  ~ReconProgress() {
+    if (terminal_ && last_ >= 0) std::fputc('\n', stderr);
+  }
+
+  void update(double share, double seconds) {
+    const int step = static_cast<int>(share * (json_ ? 10.0 : 100.0));
+    if ((!json_ && !terminal_) || step <= last_) return;
+    last_ = step;
+    if (json_)
+      std::fprintf(stderr, "{\"share\": %.3f, \"seconds\": %.3f}\n", share, seconds);
+    else
+      std::fprintf(stderr, "\rreconstruction %3d %%", step);
+  }
+
+ private:
+  bool json_, terminal_;
+  int last_ = -1;
+};
+
+struct ReconRun {
+  ReconstructedSky sky;
+  double seconds = 0.0, cpuSeconds = 0.0;  // of the reconstruction alone
+};
+
+/// Throws ReconStopped on SIGINT and SIGTERM.
+ReconRun timedReconstruction(const ReconOptions& options, const Tally& tally, const ReconSettings& settings) {
+  using Clock = std::chrono::steady_clock;
+  const StopSignal stop;
+  ReconProgress progress(options.progress == "json", options.quiet);
+  const double cpuBefore = processUsage().cpuSeconds;
+  const Clock::time_point start = Clock::now();
+  const auto elapsed = [start] { return std::chrono::duration<double>(Clock::now() - start).count(); };
+  Watch watch;
+  watch.stop = &stop.requested();
+  watch.onProgress = [&](double share) { progress.update(share, elapsed()); };
+  ReconRun run{withThreads(options.threads, [&] { return reconstruct(tally, settings, watch); })};
+  run.seconds = elapsed();
+  run.cpuSeconds = processUsage().cpuSeconds - cpuBefore;
+  return run;
+}
+
+template <class Check>
+void requireFitting(const std::string& a, const std::string& b, const Check& check) {
+  try {
+    check();
+  } catch (const std::invalid_argument& error) {
+    throw CLI::ValidationError("--compare", a + " and " + b + ": " + error.what());
+  }
+}
+
+/// The tallies of --compare. Throws CLI::ValidationError unless they can be compared with the sky of `tally`.
+std::vector<Tally> readReferences(const ReconOptions& options, const Tally& tally) {
+  const std::vector<std::string>& paths = options.references;
+  std::vector<Tally> references;
+  for (const std::string& path : paths) {
+    references.push_back(readTallyExr(path));
+    requireFitting(options.tally, path, [&] { requireSamePicture(tally.info, references.back().info); });
+  }
+  if (references.size() == 2)
+    requireFitting(paths[0], paths[1], [&] { requireReferencePair(references[0].info, references[1].info); });
+  return references;
+}
+
+/// The rows of the table: 6 digits each, null for what is not finite.
+nlohmann::ordered_json comparisonJson(const Comparison& c) {
+  nlohmann::ordered_json json;
+  const auto add = [&json](const char* name, double value) {
+    char digits[32];
+    std::snprintf(digits, sizeof digits, "%.6g", value);
+    json[name] = std::strtod(digits, nullptr);
+  };
+  add("relMSE", c.relMse);
+  add("relMSE_stderr", c.relMseError);
+  add("MSE", c.mse);
+  add("logMSE", c.logMse);
+  add("SSIM", c.ssim);
+  add("energy_error", c.energyError);
+  add("negative_pixels", c.negativePixels);
+  if (!c.relMseRgb) return json;
+  add("relMSE_R", (*c.relMseRgb)[0]);
+  add("relMSE_G", (*c.relMseRgb)[1]);
+  add("relMSE_B", (*c.relMseRgb)[2]);
+  add("relMSE_rgb", c.meanRelMseRgb());
+  return json;
+}
+
+std::string comparisonText(const nlohmann::ordered_json& table) {
+  std::string text;
+  char line[64];
+  for (const auto& [name, value] : table.items()) {
+    std::snprintf(line, sizeof line, "%-16s %.6g\n", name.c_str(), value.get<double>());
+    text += line;
+  }
+  return text;
+}
+
+/// Compares with the references, if there are any, and prints the table.
+void printComparison(const ReconOptions& options, const ReconRun& run, const std::vector<Tally>& references) {
+  if (references.empty()) return;
+  const Tally* second = references.size() == 2 ? &references[1] : nullptr;
+  const Comparison result = withThreads(options.threads, [&] { return compare(run.sky.image, references[0], second); });
+  const nlohmann::ordered_json table = comparisonJson(result);
+  writeText("-", options.json ? table.dump() + "\n" : comparisonText(table));
+}
+
+void writeReconStats(const ReconOptions& options, const Tally& tally, std::string_view method, const ReconRun& run) {
+  std::int64_t hits = 0;
+  for (int pixel = 0; pixel < tally.pixels(); ++pixel) hits += tally.hits(pixel);
+  nlohmann::ordered_json json;
+  json["method"] = method;
+  json["seconds"] = run.seconds;
+  json["cpu_seconds"] = run.cpuSeconds;
+  json["threads"] = threadCount(options.threads);
+  json["width"] = tally.width();
+  json["height"] = tally.height();
+  json["rays"] = tally.info.rayCount();
+  json["hits"] = hits;
+  json["peak_memory_bytes"] = processUsage().peakMemory;
+  json["remarks"] = run.sky.remarks;
+  writeJson(options.stats, json);
+}
+
+void requireOutputsOf(const ReconOptions& options, const std::string& name) {
+  std::vector<std::string> inputs = options.references;
+  inputs.push_back(options.tally);
+  const std::string table = options.references.empty() ? "" : "-";
+  for (const std::string& input : inputs)
+    requireOutputs(input,
+                   {options.picture.exr(name), options.picture.png(name), options.confidence, options.stats, table});
+}
 
 int runRecon(const ReconOptions& options) {
   const Tally tally = readTallyExr(options.tally);
-  std::vector<std::string> overrides;
-  if (!options.method.empty()) overrides.push_back("recon.method='" + options.method + "'");
-  const LoadedScene loaded = parseScene(tally.info.scene, "the scene in " + options.tally, overrides);
+  const LoadedScene loaded = options.load(tally);
   // A tally is an EXR, too: the picture's name must differ.
   const std::string name = std::filesystem::path(options.tally).stem().string() + "-sky";
-  requireOutputs(options.tally, {options.picture.exr(name), options.picture.png(name)});
-  writePicture(tally, loaded, options.picture, name, options.quiet);
+  requireOutputsOf(options, name);
+  const std::vector<Tally> references = readReferences(options, tally);
+
+  ReconRun run;
+  try {
+    run = timedReconstruction(options, tally, loaded.scene.recon);
+  } catch (const ReconStopped&) {
+    std::fprintf(stderr, "interrupted: nothing was written\n");
+    return kInterrupted;
+  }
+  for (std::size_t i = 0; i < references.size(); ++i)
+    if (shareRays(tally.info, references[i].info))
+      run.sky.remarks.push_back("the same rays are in " + options.references[i] + ", which makes errors look smaller");
+
+  // Before the sun is drawn.
+  if (!options.confidence.empty())
+    writePng(options.confidence, confidence(run.sky.image), {{"Software", "parhelion " PARHELION_VERSION}});
+  if (!options.stats.empty()) writeReconStats(options, tally, nameOf(methodOf(loaded.scene.recon)), run);
+  printComparison(options, run, references);
+  writePicture(std::move(run.sky), tally.info, loaded, options.picture, name, options.quiet);
   return kDone;
+}
+
+/// For CLI11: -D may change what is still to be done, the reconstruction.
+std::string validOverride(const std::string& text) {
+  if (text.starts_with("recon.")) return {};
+  return "the tally is traced already: only keys of recon can be overridden, not '" + text + "'";
+}
+
+std::string validPng(const std::string& text) {
+  return text.ends_with(".png") ? "" : "expected the name of a .png file, not '" + text + "'";
+}
+
+void addOptions(CLI::App& command, ReconOptions& options) {
+  command.add_option("tally", options.tally, "A tally that trace has written")->required()->type_name("TALLY");
+  command.add_option("--method", options.method, "How hits become an image; as the scene says when left out")
+      ->type_name("NAME")
+      ->check(nameOfOne<ReconMethod>(kReconMethodNames));
+  addOverrides(command, options.overrides);
+  command.get_option("-D")
+      ->description("Override a key of recon, for one recon.method=none; may be repeated")
+      ->check(CLI::Validator(validOverride, ""));
+  options.picture.addTo(command);
+  command
+      .add_option("--compare", options.references,
+                  "Print how far the sky is from the tally REF of many rays, or from two of different rays")
+      ->type_name("REF")
+      ->expected(1, 2);
+  command.add_flag("--json", options.json, "What --compare prints as JSON")->needs("--compare");
+  command
+      .add_option("--confidence", options.confidence, "Picture of the relative standard error: white 1 %, black 100 %")
+      ->type_name("FILE")
+      ->check(CLI::Validator(validPng, ""));
+  command.add_option("--stats", options.stats, "Write the reconstruction's figures as JSON")->type_name("FILE");
+  command.add_option("--nthreads", options.threads, "Threads; as many as there are processors when left out")
+      ->type_name("N")
+      ->check(CLI::Range(1, 4096));
+  command.add_flag("--quiet", options.quiet, "Nothing on stderr");
+  command.add_option("--progress", options.progress, "Progress as lines of JSON, for farms")
+      ->check(CLI::IsMember({"auto", "json"}));
 }
 
 }  // namespace
@@ -33,12 +249,7 @@ void addRecon(CLI::App& app, int& exit) {
   auto options = std::make_shared<ReconOptions>();
   CLI::App* command =
       app.add_subcommand("recon", "Turn a tally from disk into a linear EXR and a PNG preview beside it");
-  command->add_option("tally", options->tally, "A tally that trace has written")->required()->type_name("TALLY");
-  command->add_option("--method", options->method, "How hits become an image; as the scene says when left out")
-      ->type_name("NAME")
-      ->check(nameOfOne<ReconMethod>(kReconMethodNames));
-  command->add_flag("--quiet", options->quiet, "Nothing on stderr");
-  options->picture.addTo(*command);
+  addOptions(*command, *options);
   command->callback([options, &exit] { exit = runRecon(*options); });
 }
 

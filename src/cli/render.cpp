@@ -4,6 +4,7 @@
 #include "cli/run_options.h"
 #include "cli/tally_run.h"
 #include "cli/text_output.h"
+#include "recon/threads.h"
 
 namespace parhelion::cli {
 
@@ -21,7 +22,8 @@ int runRender(const RenderOptions& options) {
   // Also while the picture is made, so that a late Ctrl-C does not lose what was traced.
   const StopSignal stop;
   const TallyRun run = traceTally(options.run, loaded, makeCloud(loaded.scene), stop);
-  writePicture(run.tally, loaded, options.picture, options.run.scene, options.run.quiet);
+  ReconstructedSky sky = withThreads(options.run.threads, [&] { return reconstruct(run.tally, loaded.scene.recon); });
+  writePicture(std::move(sky), run.tally.info, loaded, options.picture, scene, options.run.quiet);
   return run.result.exitCode();
 }
 

@@ -36,8 +36,7 @@ void printLedger(const TraceReport& report) {
 }
 
 void writeStats(const std::string& path, const Scene& scene, const TraceReport& report, int threads) {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
+  const ProcessUsage usage = processUsage();
   const double rays = static_cast<double>(report.rays);
   nlohmann::ordered_json json;
   json["rays"] = report.rays;
@@ -46,13 +45,13 @@ void writeStats(const std::string& path, const Scene& scene, const TraceReport& 
   json["rescued_hits"] = report.rescued;
   json["mean_chain_length"] = rays > 0.0 ? static_cast<double>(report.hits) / rays : 0.0;
   json["seconds"] = report.seconds;
-  json["cpu_seconds"] = seconds(usage.ru_utime) + seconds(usage.ru_stime);
+  json["cpu_seconds"] = usage.cpuSeconds;
   json["rays_per_second"] = report.seconds > 0.0 ? rays / report.seconds : 0.0;
   json["engine"] = nameOf(scene.trace.engine);
   json["path"] = nameOf(scene.trace.path);
   json["seed"] = scene.trace.seed;
-  json["threads"] = threads > 0 ? threads : static_cast<int>(std::thread::hardware_concurrency());
-  json["peak_memory_bytes"] = static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
+  json["threads"] = threadCount(threads);
+  json["peak_memory_bytes"] = usage.peakMemory;
   json["energy"] = {{"in", report.energy.in.value()},
                     {"out", report.energy.out.value()},
                     {"absorbed", report.energy.absorbed.value()},
@@ -61,6 +60,14 @@ void writeStats(const std::string& path, const Scene& scene, const TraceReport& 
   json["interrupted"] = report.interrupted;
   writeJson(path, json);
 }
+
+ProcessUsage processUsage() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return {seconds(usage.ru_utime) + seconds(usage.ru_stime), static_cast<std::uint64_t>(usage.ru_maxrss) * 1024};
+}
+
+int threadCount(int asked) { return asked > 0 ? asked : static_cast<int>(std::thread::hardware_concurrency()); }
 
 void writeJson(const std::string& path, const nlohmann::ordered_json& json) { writeText(path, json.dump(2) + "\n"); }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include <nlohmann/json_fwd.hpp>
@@ -15,6 +16,16 @@ void printLedger(const TraceReport& report);
 
 /// Writes the run's figures as JSON; `threads` 0 is one a processor. Throws std::runtime_error.
 void writeStats(const std::string& path, const Scene& scene, const TraceReport& report, int threads);
+
+/// What the process has used so far.
+struct ProcessUsage {
+  double cpuSeconds;         // of all threads, user and system
+  std::uint64_t peakMemory;  // bytes
+};
+ProcessUsage processUsage();
+
+/// The number of threads that `asked` stands for: 0 is one a processor.
+int threadCount(int asked);
 
 /// Writes JSON to a file, or to stdout for "-". Throws std::runtime_error.
 void writeJson(const std::string& path, const nlohmann::ordered_json& json);

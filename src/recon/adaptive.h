@@ -3,6 +3,7 @@
 
 #include "image/image.h"
 #include "image/tally.h"
+#include "recon/watch.h"
 
 namespace parhelion {
 
@@ -11,6 +12,6 @@ namespace parhelion {
 /// narrower kernels is kept only where it stands above the noise. Never negative luminance; all light of the sky's
 /// pixels is kept. The variance is that of the noise left over, measured as the difference between the pictures of the
 /// two halves of the rays; it says nothing of what the smoothing itself bends.
-Image adaptiveRadiance(const Tally& tally);
+Image adaptiveRadiance(const Tally& tally, const Watch& watch);
 
 }  // namespace parhelion

@@ -5,8 +5,11 @@
 #include <cmath>
 #include <utility>
 
+#include "image/fixed_point.h"
 #include "math/portable.h"
-#include "recon/gates.h"
+#include "recon/gated_sum.h"
+#include "recon/growing_squares.h"
+#include "recon/halving.h"
 #include "recon/structure_tensor.h"
 
 namespace parhelion {
@@ -18,26 +21,41 @@ constexpr double kPilotShare = 0.5;
 /// How many times a correction must exceed its noise. With few hits a blurred arc costs more than a little noise, with
 /// many it is the other way round. Measured; a tenth more or less changes little.
 double cautionFor(double hits) {
-  return std::clamp(2.0 + 0.5 * portable::log(hits / 3.5e5) / portable::log(10.0), 1.5, 3.0);
+  return std::clamp(2.0 + 0.8 * portable::log(hits / 3.5e5) / portable::log(10.0), 1.5, 3.0);
 }
 
-/// Kernels for `density` hits per relative solid angle; an empty grid of shapes is all round.
+/// Kernels for `density` hits per relative solid angle; an empty grid of shapes is all round in the sky.
 KernelField fieldOf(const SkyPyramid& sky, const Grid<Light<1>>& density, const Grid<KernelShape>& shapes,
                     double totalHits) {
   // Where nothing came near, kernels are as wide as the picture allows.
   const float least = static_cast<float>(1e-6 * totalHits / static_cast<double>(sky.skyPixels()));
   Grid<KernelSite> sites(sky.width(), sky.height());
-  for (std::size_t i = 0; i < sites.size(); ++i) {
-    sites[i].density = std::max(density[i][0], least) * sky.wholeOmega()[i];
-    if (shapes.size() > 0) sites[i].shape = shapes[i];
-  }
+  forRows(sky.height(), [&](int y) {
+    const KernelShape round = KernelShape{}.stretched(sky.stretch(y));
+    for (int x = 0; x < sky.width(); ++x) {
+      sites.at(x, y).density = std::max(density.at(x, y)[0], least) * sky.wholeOmega().at(x, y);
+      sites.at(x, y).shape = shapes.size() > 0 ? shapes.at(x, y) : round;
+    }
+  });
   return {sky, std::move(sites)};
 }
 
+/// Hits per relative solid angle in squares that hold `enough` of them, in fixed point so that sums are exact.
+Grid<Light<1>> firstDensity(const SkyPyramid& sky, const Grid<Light<1>>& hits, double enough) {
+  constexpr double kScale = 1 << 20;  // 1e12 hits fit
+  Grid<std::int64_t> fixed(sky.width(), sky.height());
+  for (std::size_t i = 0; i < fixed.size(); ++i) fixed[i] = toFixed(static_cast<double>(hits[i][0]), kScale);
+  const Grid<float> density = growingSquares(sky, fixed, toFixed(enough, kScale));
+  Grid<Light<1>> result(sky.width(), sky.height());
+  for (std::size_t i = 0; i < fixed.size(); ++i) result[i] = {density[i] * static_cast<float>(1.0 / kScale)};
+  return result;
+}
+
 /// Density by density, finer each time, until sizes and shapes of the kernels are settled.
-KernelField settleKernels(const SkyPyramid& sky, const Grid<Light<1>>& hits, Grid<Light<1>> density, double totalHits) {
+KernelField settleKernels(const SkyPyramid& sky, const Grid<Light<1>>& hits, double totalHits) {
   const double n = hitsPerKernel(totalHits);
   constexpr double kFirstHits = 32.0;
+  Grid<Light<1>> density = firstDensity(sky, hits, std::min(0.5 * n, totalHits));
   density = scatter<1>(sky, fieldOf(sky, density, {}, totalHits), hits, kFirstHits);
   density = scatter<1>(sky, fieldOf(sky, density, {}, totalHits), hits, n);
   const Grid<KernelShape> shapes = kernelShapes(sky, density, n);
@@ -46,97 +64,66 @@ KernelField settleKernels(const SkyPyramid& sky, const Grid<Light<1>>& hits, Gri
   return fieldOf(sky, density, shapes, totalHits);
 }
 
-/// Deviation of a picture over that which fixed kernels would give. The hits place the kernels that spread them, by a
-/// density of pilotHits under a kernel: where they happen to be many, kernels are also narrower and higher. To first
-/// order, for Gaussians of Fourier transform exp(-v/2) and a pilot of exp(-r v/2), the transform of the whole response
-/// is exp(-v/2) (1 + v/2 exp(-r v/2)), whose square integral over v this is.
-float placementNoise(double hits, double pilotHits) {
-  const double r = pilotHits / hits;
-  const double a = 1.0 + 0.5 * r, b = 1.0 + r;
-  return static_cast<float>(std::sqrt(1.0 + 1.0 / (a * a) + 0.5 / (b * b * b)));
-}
-
-template <std::size_t N>
-Filtered widest(const Grid<Light<N>>& picture, float noise) {
-  Filtered result{{picture.width(), picture.height()}, {}};
-  if constexpr (N == 4) result.colour = {picture.width(), picture.height()};
-  for (std::size_t i = 0; i < picture.size(); ++i) {
-    const Light<N>& light = picture[i];
-    result.luminance[i] = {light[0], noise * light[1]};
-    if constexpr (N == 4) result.colour[i] = {light[0], light[2], light[3]};
+template <std::size_t From, std::size_t N>
+Grid<Light<N>> firstOf(const Grid<Light<From>>& light) {
+  Grid<Light<N>> first(light.width(), light.height());
+  for (std::size_t i = 0; i < light.size(); ++i) {
+    for (std::size_t c = 0; c < N; ++c) first[i][c] = light[i][c];
   }
-  return result;
+  return first;
 }
 
-template <std::size_t N>
-void addLuminance(Filtered& sum, const Grid<float>& gates, const Grid<Light<N>>& wide, float wideNoise,
-                  const Grid<Light<N>>& narrow, float narrowNoise) {
-  forRows(wide.height(), [&](int y) {
-    for (int x = 0; x < wide.width(); ++x) {
-      const float gate = gateAt(gates, x, y);
-      const Light<N>&from = wide.at(x, y), &to = narrow.at(x, y);
-      Light<2>& light = sum.luminance.at(x, y);
-      light[0] += gate * (to[0] - from[0]);
-      light[1] += gate * (narrowNoise * to[1] - wideNoise * from[1]);
-    }
-  });
-}
+/// The kernels of a picture from a look at it at half the resolution: there the whole method is run once, but for its
+/// finest corrections, and what comes out places and shapes the kernels.
+KernelField lookedAtFrom(const SkyPyramid& half, const Grid<Light<2>>& halfLight, const SkyPyramid& sky,
+                         const Grid<Light<1>>& hits, double totalHits) {
+  const double n = hitsPerKernel(totalHits), caution = cautionFor(totalHits);
+  const KernelField field = settleKernels(half, firstOf<2, 1>(halfLight), totalHits);
+  GatedSum<2> look(half, field, halfLight, 16.0 * n, kPilotShare * n);
+  for (int finer = 0; finer < 3; ++finer) look.refine(caution);
 
-void addColour(Filtered& sum, const Grid<float>& gates, const Grid<Light<4>>& wide, const Grid<Light<4>>& narrow) {
-  forRows(wide.height(), [&](int y) {
-    for (int x = 0; x < wide.width(); ++x) {
-      const float gate = gateAt(gates, x, y);
-      const Light<4>&from = wide.at(x, y), &to = narrow.at(x, y);
-      Light<3>& light = sum.colour.at(x, y);
-      light[0] += gate * (to[0] - from[0]);
-      light[1] += gate * (to[2] - from[2]);
-      light[2] += gate * (to[3] - from[3]);
-    }
-  });
+  Grid<Light<1>> density = firstOf<2, 1>(look.result());
+  const Grid<KernelShape> shapes = kernelShapes(half, density, n);
+  Grid<Light<3>> sites(half.width(), half.height()), fine(sky.width(), sky.height());
+  for (std::size_t i = 0; i < sites.size(); ++i) sites[i] = {density[i][0], shapes[i].p, shapes[i].q};
+  addInterpolated(fine, sky.pixels(), sites, half.pixels());
+  const float perCell = sky.levels() > 1 ? 0.25F : 1.0F;
+  density = {sky.width(), sky.height()};
+  Grid<KernelShape> fineShapes(sky.width(), sky.height());
+  for (std::size_t i = 0; i < fine.size(); ++i) {
+    density[i][0] = perCell * fine[i][0];
+    fineShapes[i] = {fine[i][1], fine[i][2]};
+  }
+  density = scatter<1>(sky, fieldOf(sky, density, fineShapes, totalHits), hits, kPilotShare * n);
+  return fieldOf(sky, density, fineShapes, totalHits);
 }
 
 }  // namespace
 
 double hitsPerKernel(double hits) {
   // Measured on a display with plates and columns from 4e3 to 4e6 hits; half or double costs a tenth to a third.
-  return std::clamp(0.9 * portable::exp(0.4 * portable::log(std::max(hits, 1.0))), 16.0, 1024.0);
+  return std::clamp(0.5 * portable::exp(0.45 * portable::log(std::max(hits, 1.0))), 16.0, 2048.0);
 }
 
 template <std::size_t N>
-Filtered adaptiveFilter(const SkyPyramid& sky, const Grid<Light<N>>& light, const Grid<float>& firstDensity) {
-  Grid<Light<1>> hits(sky.width(), sky.height()), density(sky.width(), sky.height());
-  double totalHits = 0.0;
-  for (std::size_t i = 0; i < hits.size(); ++i) {
-    hits[i] = {light[i][0]};
-    density[i] = {firstDensity[i]};
-    totalHits += static_cast<double>(light[i][0]);
-  }
-  const KernelField field = settleKernels(sky, hits, std::move(density), totalHits);
-  hits = {};
-
+Grid<Light<N>> adaptiveFilter(const SkyPyramid& sky, const Grid<Light<N>>& light, double totalHits,
+                              const Watch& watch) {
+  const SkyPyramid half = sky.halved();
+  const Grid<Light<N>> halfLight = sky.levels() > 1 ? halved(light) : light;
   const double n = hitsPerKernel(totalHits), caution = cautionFor(totalHits);
-  Grid<Light<N>> wider, wide = scatter<N>(sky, field, light, 16.0 * n);
-  float wideNoise = placementNoise(16.0 * n, kPilotShare * n);
-  Filtered sum = widest(wide, wideNoise);
-  Grid<float> gates;
-  for (const double share : {4.0, 1.0, 1.0 / 4.0, 1.0 / 16.0}) {
-    Grid<Light<N>> narrow = scatter<N>(sky, field, light, share * n);
-    const Corrections corrections = compareSizes<N>(sky, field, wide, narrow, share * n);
-    gates = correctionGates(corrections, field, share * n, caution * corrections.noiseRatio, gates);
-    const float narrowNoise = placementNoise(share * n, kPilotShare * n);
-    addLuminance<N>(sum, gates, wide, wideNoise, narrow, narrowNoise);
-    wideNoise = narrowNoise;
-    // Colour follows one size behind, through the same gates.
-    if constexpr (N == 4) {
-      if (wider.size() > 0) addColour(sum, gates, wider, wide);
-      wider = std::move(wide);
-    }
-    wide = std::move(narrow);
+
+  watch.at(0.0);
+  const KernelField field = lookedAtFrom(half, firstOf<N, 2>(halfLight), sky, firstOf<N, 1>(light), totalHits);
+  watch.at(0.4);
+  GatedSum<N> sum(sky, field, light, 16.0 * n, kPilotShare * n);
+  for (const double done : {0.5, 0.6, 0.7, 0.8}) {
+    watch.at(done);
+    sum.refine(caution);
   }
-  return sum;
+  return sum.result();
 }
 
-template Filtered adaptiveFilter(const SkyPyramid&, const Grid<Light<2>>&, const Grid<float>&);
-template Filtered adaptiveFilter(const SkyPyramid&, const Grid<Light<4>>&, const Grid<float>&);
+template Grid<Light<2>> adaptiveFilter(const SkyPyramid&, const Grid<Light<2>>&, double, const Watch&);
+template Grid<Light<4>> adaptiveFilter(const SkyPyramid&, const Grid<Light<4>>&, double, const Watch&);
 
 }  // namespace parhelion

@@ -63,6 +63,10 @@ const CorrectionNoise& correctionNoise() {
 // A correction of 100 times the density is as sure as any: larger ones, in holes, would drown the sums around them.
 constexpr float kMostSquare = 1e4F;
 
+// A difference of 10 standard deviations is no noise but a pixel whose density was misjudged: a few of these must not
+// decide for all.
+constexpr float kMostOverNoise = 100.0F;
+
 }  // namespace
 
 template <std::size_t N>
@@ -86,7 +90,8 @@ Corrections compareSizes(const SkyPyramid& sky, const KernelField& field, const 
         block.correction += std::min(correction * correction, kMostSquare);
         block.noise += noise;
         block.pixels += 1.0F;
-        measured += static_cast<double>(density * difference * difference);
+        if (!sky.counts(x, y)) continue;
+        measured += static_cast<double>(density * std::min(difference * difference, kMostOverNoise * noise));
         expected += static_cast<double>(density * noise);
       }
     }

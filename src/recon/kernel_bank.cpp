@@ -38,6 +38,15 @@ float roughLog2(float x) {
   return static_cast<float>(exponent) + f + 0.3431F * f * (1.0F - f);
 }
 
+KernelShape KernelShape::stretched(float factor) const {
+  if (factor == 1.0F) return *this;
+  const float m = std::sqrt(1.0F + p * p + q * q);
+  const KernelShape longer{0.5F * ((m + p) * factor - (m - p) / factor), q};
+  constexpr float kMost = 0.5F * (KernelBank::kMaxAspect - 1.0F / KernelBank::kMaxAspect);
+  const float shrink = std::min(kMost / std::sqrt(longer.p * longer.p + longer.q * longer.q), 1.0F);
+  return {shrink * longer.p, shrink * longer.q};
+}
+
 Kernel::Kernel(double minor, double major, double angle) {
   const auto [s, c] = portable::sincos(angle);
   const double a2 = 1.0 / (major * major), b2 = 1.0 / (minor * minor);

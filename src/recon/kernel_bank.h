@@ -19,6 +19,9 @@ struct KernelShape {
     const float r2 = p * p + q * q;
     return std::sqrt(r2) + std::sqrt(1.0F + r2);
   }
+
+  /// The shape where x is `factor` times as long as y, of the same area; no longer than the bank's longest.
+  KernelShape stretched(float factor) const;
 };
 
 /// A filter of unit sum on whole cells, its rows cut to where it is not 0.
@@ -57,6 +60,8 @@ class KernelBank {
   /// Longest reach of a kernel, cells.
   static constexpr int kMaxReach = 60;
   static constexpr float kMaxAspect = 8.0F;
+  /// The quadratic form of the inverse covariance at which a kernel ends.
+  static constexpr float kSupport = 10.0F;
 
   KernelBank();
 

@@ -2,18 +2,47 @@
 #include "recon/reconstruct.h"
 
 #include "image/radiance.h"
+#include "math/overloaded.h"
+#include "recon/act.h"
 #include "recon/adaptive.h"
+#include "recon/gaussian.h"
+#include "recon/glassner.h"
+#include "recon/gonzato_marchand.h"
+#include "recon/marvasti.h"
+#include "recon/sky_light.h"
+#include "recon/voronoi.h"
 
 namespace parhelion {
+namespace {
 
-Image reconstruct(const Tally& tally, const ReconSettings& settings) {
-  switch (settings.method) {
-    case ReconMethod::none:
-      return plainRadiance(tally);
-    case ReconMethod::adaptive:
-      return adaptiveRadiance(tally);
-  }
-  return {};
+/// What the named methods have in common: they know nothing but pixels.
+template <class Method, class Settings>
+ReconstructedSky byMethod(const Tally& tally, const Settings& settings, const Watch& watch, const Method& method) {
+  const SkyLight light(tally);
+  if (light.hitsPerLight() <= 0.0) return {emptyRadiance(tally.width(), tally.height()), {}};
+  Reconstruction result = method(light.hitMap(), settings, watch);
+  return {light.develop(result.lights), std::move(result.remarks)};
+}
+
+}  // namespace
+
+ReconstructedSky reconstruct(const Tally& tally, const ReconSettings& settings, const Watch& watch) {
+  return std::visit(
+      Overloaded{
+          [&](const AdaptiveSettings&) {
+            return ReconstructedSky{adaptiveRadiance(tally, watch), {}};
+          },
+          [&](const NoSettings&) {
+            return ReconstructedSky{plainRadiance(tally), {}};
+          },
+          [&](const GaussianSettings& own) { return byMethod(tally, own, watch, gaussian); },
+          [&](const GlassnerSettings& own) { return byMethod(tally, own, watch, glassner); },
+          [&](const MarvastiSettings& own) { return byMethod(tally, own, watch, marvasti); },
+          [&](const VoronoiSettings& own) { return byMethod(tally, own, watch, voronoi); },
+          [&](const ActSettings& own) { return byMethod(tally, own, watch, act); },
+          [&](const GonzatoMarchandSettings& own) { return byMethod(tally, own, watch, gonzatoMarchand); },
+      },
+      settings);
 }
 
 }  // namespace parhelion

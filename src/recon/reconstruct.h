@@ -1,14 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "image/image.h"
 #include "image/tally.h"
 #include "recon/recon_settings.h"
+#include "recon/watch.h"
 
 namespace parhelion {
 
-/// Turns scattered hits into a whole image of the sky in 1/sr: channels R, G, B and the variance of the luminance
-/// (image/radiance.h). The undeviated sunlight is not in it.
-Image reconstruct(const Tally& tally, const ReconSettings& settings);
+/// A whole image of the sky in 1/sr, channels R, G, B and the variance of the luminance (image/radiance.h); the
+/// undeviated sunlight is not in it. The variance is that of the noise, measured as the difference between the pictures
+/// of the two halves of the rays; it says nothing of what a filter bends.
+struct ReconstructedSky {
+  Image image;
+  std::vector<std::string>
+      remarks;  // what its user should know: which sizes were chosen, that an iteration was stopped
+};
+
+/// Turns scattered hits into an image of the sky, by the method that the settings are of. The same tally and settings
+/// give the same bits for any number of threads. Throws ReconStopped (recon/watch.h) if asked to stop.
+ReconstructedSky reconstruct(const Tally& tally, const ReconSettings& settings, const Watch& watch = {});
 
 }  // namespace parhelion

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "recon/halving.h"
+
 namespace parhelion {
 namespace {
 
@@ -112,41 +114,73 @@ const Kernel& kernelAt(const Grid<KernelSite>& sites, int x, int y, double hits,
   return kernelFor(kernelVariance(hits, site.density), site.shape, level);
 }
 
-/// One more than the farthest reach of the kernels that come near the border.
-int reachAtBorder(const SkyLevel& sky, const Grid<KernelSite>& sites, double hits, int level) {
-  std::vector<int> reaches(static_cast<std::size_t>(sky.height()));
-  forRows(sky.height(), [&](int y) {
-    int& reach = reaches[static_cast<std::size_t>(y)];
-    for (int x = 0; x < sky.width(); ++x) {
-      const int border = sky.border.at(x, y);
-      if (border == 0 || border > 2 * KernelBank::kMaxReach) continue;
-      const int own = kernelAt(sites, x, y, hits, level).reach();
-      if (2 * border <= 3 * (own + 1)) reach = std::max(reach, own + 1);
-    }
-  });
-  return *std::max_element(reaches.begin(), reaches.end());
+/// No kernel of kernelAt() reaches farther, cells: the bank's nearest may be longer by half a step of its widths and
+/// aspects.
+int mostReach(const KernelSite& site, double hits, int level) {
+  constexpr float kSteps = 1.25F;
+  const float major2 = kernelVariance(hits, site.density) * site.shape.aspect() / pixelsPerCell(level);
+  const float reach = kSteps * std::sqrt(KernelBank::kSupport * major2) + 2.0F;
+  return static_cast<int>(std::min(reach, static_cast<float>(KernelBank::kMaxReach)));
 }
 
-/// Solid angle per cell as the kernels spread it: what an even sky would look like. Near the border it falls short of
-/// the true one; only there it is computed, and only where there is light to be divided by it.
-template <std::size_t N>
-Grid<Light<1>> spreadOmega(const Grid<Light<N>>& light, const SkyLevel& sky, const Grid<KernelSite>& sites, double hits,
-                           int level) {
-  std::vector<char> lit(static_cast<std::size_t>(sky.height()));
-  forRows(sky.height(), [&](int y) {
-    const Light<N>* row = light.row(y);
-    lit[static_cast<std::size_t>(y)] = std::any_of(row, row + sky.width(), [](const auto& l) { return l[0] != 0.0F; });
-  });
-  const auto first = std::find(lit.begin(), lit.end(), 1);
-  if (first == lit.end()) return Grid<Light<1>>(sky.width(), sky.height());
-  const int reach = reachAtBorder(sky, sites, hits, level), zone = reach + 3 * reach / 2;
-  const int top = static_cast<int>(first - lit.begin()) - reach;
-  const int bottom = static_cast<int>(lit.rend() - std::find(lit.rbegin(), lit.rend(), 1)) + reach;
+/// Where the border takes part of what even sky would get through the kernels.
+class NearBorder {
+ public:
+  template <std::size_t N>
+  NearBorder(const Grid<Light<N>>& light, const SkyLevel& sky, const Grid<KernelSite>& sites, double hits, int level)
+      : shares_(sky.width(), sky.height()), blocks_(blocksOf(sky.width()), blocksOf(sky.height())) {
+    std::vector<int> farthest(static_cast<std::size_t>(blocks_.height()));
+    forRows(blocks_.height(), [&](int by) {
+      for (int y = by * kBlock; y < std::min((by + 1) * kBlock, sky.height()); ++y) {
+        for (int x = 0; x < sky.width(); ++x) {
+          const int border = sky.border.at(x, y);
+          if (light.at(x, y)[0] == 0.0F || border == 0 || border > 2 * KernelBank::kMaxReach) continue;
+          if (2 * border >= 3 * (mostReach(sites.at(x, y), hits, level) + 1)) continue;
+          // In full where the kernel here touches the border, then fading.
+          const auto reach = static_cast<float>(kernelAt(sites, x, y, hits, level).reach() + 1);
+          const float share = std::clamp(3.0F - 2.0F * static_cast<float>(border) / reach, 0.0F, 1.0F);
+          if (share <= 0.0F) continue;
+          shares_.at(x, y) = share;
+          blocks_.at(x / kBlock, by) = 1;
+          farthest[static_cast<std::size_t>(by)] = std::max(farthest[static_cast<std::size_t>(by)], border);
+        }
+      }
+    });
+    farthest_ = *std::max_element(farthest.begin(), farthest.end());
+  }
 
+  /// How much the border matters to a cell, 0 to 1; 0 where there is no light.
+  float share(int x, int y) const { return shares_.at(x, y); }
+
+  /// Whether light of a cell `border` from it could come to cells to which it matters through a kernel of this reach.
+  bool reaches(int x, int y, int border, int reach) const {
+    if (border > farthest_ + reach) return false;
+    const int left = std::max(x - reach, 0) / kBlock, right = std::min((x + reach) / kBlock, blocks_.width() - 1);
+    const int top = std::max(y - reach, 0) / kBlock, bottom = std::min((y + reach) / kBlock, blocks_.height() - 1);
+    for (int by = top; by <= bottom; ++by) {
+      const char* row = blocks_.row(by);
+      if (std::find(row + left, row + right + 1, 1) != row + right + 1) return true;
+    }
+    return false;
+  }
+
+ private:
+  static constexpr int kBlock = 16;  // cells
+  static int blocksOf(int cells) { return (cells + kBlock - 1) / kBlock; }
+
+  Grid<float> shares_;
+  Grid<char> blocks_;  // 1: the border matters to a cell in it
+  int farthest_ = 0;   // of all these from the border
+};
+
+/// Solid angle per cell as the kernels spread it: what an even sky would look like. It falls short of the true one near
+/// the border; only there it is computed.
+Grid<Light<1>> spreadOmega(const NearBorder& near, const SkyLevel& sky, const Grid<KernelSite>& sites, double hits,
+                           int level) {
   Grid<Light<1>> spread(sky.width(), sky.height());
   forSpreadingCells(sky.width(), sky.height(), [&](int x, int y) {
     const int border = sky.border.at(x, y);
-    if (border == 0 || border > zone || y < top || y > bottom) return;
+    if (border == 0 || !near.reaches(x, y, border, mostReach(sites.at(x, y), hits, level))) return;
     splat<1>(spread, kernelAt(sites, x, y, hits, level), x, y, {sky.omega.at(x, y)});
   });
   return spread;
@@ -156,7 +190,8 @@ Grid<Light<1>> spreadOmega(const Grid<Light<N>>& light, const SkyLevel& sky, con
 /// kernel, and spreading it would change nothing.
 template <std::size_t N>
 void divideByOmega(Grid<Light<N>>& out, const SkyLevel& sky, const Grid<KernelSite>& sites, double hits, int level) {
-  const Grid<Light<1>> spread = spreadOmega(out, sky, sites, hits, level);
+  const NearBorder near(out, sky, sites, hits, level);
+  const Grid<Light<1>> spread = spreadOmega(near, sky, sites, hits, level);
   const float pixels = pixelsPerCell(level);
   forRows(out.height(), [&](int y) {
     for (int x = 0; x < out.width(); ++x) {
@@ -164,41 +199,9 @@ void divideByOmega(Grid<Light<N>>& out, const SkyLevel& sky, const Grid<KernelSi
       float omega = sky.omega.at(x, y);
       if (omega <= 0.0F) cell = {};
       if (cell[0] == 0.0F) continue;
-      const int border = sky.border.at(x, y);
-      if (border <= 2 * KernelBank::kMaxReach) {
-        // In full where the kernel here touches the border, then fading.
-        const auto reach = static_cast<float>(kernelAt(sites, x, y, hits, level).reach() + 1);
-        const float share = std::clamp(3.0F - 2.0F * static_cast<float>(border) / reach, 0.0F, 1.0F);
-        omega += share * (spread.at(x, y)[0] - omega);
-      }
+      const float share = near.share(x, y);
+      if (share > 0.0F) omega += share * (spread.at(x, y)[0] - omega);
       for (float& l : cell) l /= omega * pixels;
-    }
-  });
-}
-
-/// Adds the values of a coarser level, interpolated between the centres of its cells, each counting by the sky it
-/// shows: else the light of a cell that the border leaves but a sliver of would come back once for every pixel beside
-/// it.
-template <std::size_t N>
-void addInterpolated(Grid<Light<N>>& fine, const SkyLevel& fineSky, const Grid<Light<N>>& coarse,
-                     const SkyLevel& coarseSky) {
-  forRows(fine.height(), [&](int y) {
-    const int y0 = y / 2, y1 = std::clamp(y0 + (y % 2 == 0 ? -1 : 1), 0, coarse.height() - 1);
-    for (int x = 0; x < fine.width(); ++x) {
-      if (fineSky.omega.at(x, y) <= 0.0F) continue;
-      const int x0 = x / 2, x1 = std::clamp(x0 + (x % 2 == 0 ? -1 : 1), 0, coarse.width() - 1);
-      Light<N> sum{};
-      float weights = 0.0F;
-      const auto take = [&](int cx, int cy, float weight) {
-        weight *= coarseSky.coverage.at(cx, cy);
-        weights += weight;
-        for (std::size_t c = 0; c < N; ++c) sum[c] += weight * coarse.at(cx, cy)[c];
-      };
-      take(x0, y0, 9.0F);
-      take(x1, y0, 3.0F);
-      take(x0, y1, 3.0F);
-      take(x1, y1, 1.0F);
-      for (std::size_t c = 0; c < N; ++c) fine.at(x, y)[c] += sum[c] / weights;
     }
   });
 }

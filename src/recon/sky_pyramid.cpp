@@ -2,13 +2,14 @@
 #include "recon/sky_pyramid.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace parhelion {
 namespace {
 
-/// Chessboard distance to the nearest cell without sky, in two passes.
-Grid<std::uint8_t> borderDistance(const Grid<float>& omega) {
+/// Chessboard distance to the nearest cell without sky, in two passes, and to the poles.
+Grid<std::uint8_t> borderDistance(const Grid<float>& omega, const std::vector<int>& poles, int pixelsPerCell) {
   const int width = omega.width(), height = omega.height();
   Grid<std::uint8_t> distance(width, height);
   const auto at = [&](int x, int y) {
@@ -27,10 +28,17 @@ Grid<std::uint8_t> borderDistance(const Grid<float>& omega) {
       distance.at(x, y) = static_cast<std::uint8_t>(std::min(at(x, y), nearest + 1));
     }
   }
+  for (int y = 0; y < height; ++y) {
+    for (const int pole : poles) {
+      const double rows = std::abs(y + 0.5 - static_cast<double>(pole) / pixelsPerCell);
+      const auto fromPole = static_cast<std::uint8_t>(std::min(rows + 2.0, 255.0));
+      for (int x = 0; x < width; ++x) distance.at(x, y) = std::min(distance.at(x, y), fromPole);
+    }
+  }
   return distance;
 }
 
-Grid<float> halved(const Grid<float>& fine) {
+Grid<float> meansOfFour(const Grid<float>& fine) {
   Grid<float> coarse((fine.width() + 1) / 2, (fine.height() + 1) / 2);
   forRows(coarse.height(), [&](int y) {
     for (int x = 0; x < coarse.width(); ++x) {
@@ -62,7 +70,8 @@ Grid<float> filledUp(const Grid<float>& omega, const Grid<std::uint8_t>& border)
 
 }  // namespace
 
-SkyPyramid::SkyPyramid(int width, int height, const std::vector<double>& solidAngles) {
+SkyPyramid::SkyPyramid(int width, int height, const std::vector<double>& solidAngles, SkyFrame frame)
+    : frame_(std::move(frame)) {
   double sum = 0.0;
   for (const double omega : solidAngles) {
     if (omega <= 0.0) continue;
@@ -75,7 +84,7 @@ SkyPyramid::SkyPyramid(int width, int height, const std::vector<double>& solidAn
   for (std::size_t i = 0; i < omega.size(); ++i) {
     if (solidAngles[i] > 0.0) omega[i] = static_cast<float>(solidAngles[i] / meanSolidAngle_);
   }
-  Grid<std::uint8_t> border = borderDistance(omega);
+  Grid<std::uint8_t> border = borderDistance(omega, frame_.poles, 1);
   wholeOmega_ = filledUp(omega, border);
   Grid<float> coverage(width, height);
   for (std::size_t i = 0; i < omega.size(); ++i) {
@@ -83,10 +92,25 @@ SkyPyramid::SkyPyramid(int width, int height, const std::vector<double>& solidAn
   }
   levels_.push_back({std::move(omega), std::move(coverage), std::move(border)});
   while (levels_.back().omega.size() > 1) {
-    omega = halved(levels_.back().omega);
-    border = borderDistance(omega);
-    levels_.push_back({std::move(omega), halved(levels_.back().coverage), std::move(border)});
+    omega = meansOfFour(levels_.back().omega);
+    border = borderDistance(omega, frame_.poles, 1 << levels_.size());
+    levels_.push_back({std::move(omega), meansOfFour(levels_.back().coverage), std::move(border)});
   }
+}
+
+SkyPyramid SkyPyramid::halved() const {
+  SkyPyramid half;
+  half.levels_.assign(levels_.begin() + (levels_.size() > 1 ? 1 : 0), levels_.end());
+  const SkyLevel& cells = half.levels_[0];
+  half.wholeOmega_ = filledUp(cells.omega, cells.border);
+  for (std::size_t i = 0; i < cells.omega.size(); ++i) half.skyPixels_ += cells.omega[i] > 0.0F ? 1 : 0;
+  const std::vector<float>& rows = frame_.stretch;
+  for (std::size_t y = 0; y < rows.size(); y += 2)
+    half.frame_.stretch.push_back(0.5F * (rows[y] + rows[std::min(y + 1, rows.size() - 1)]));
+  half.frame_.bandColumns = frame_.bandColumns / 2;
+  half.frame_.bandRows = frame_.bandRows / 2;
+  half.meanSolidAngle_ = levels_.size() > 1 ? 4.0 * meanSolidAngle_ : meanSolidAngle_;
+  return half;
 }
 
 }  // namespace parhelion

@@ -36,17 +36,19 @@ double meanOverSky(const SkyPyramid& sky, const Grid<Light<1>>& density) {
   return sum / static_cast<double>(sky.skyPixels());
 }
 
-/// Products of the slopes, 1/pixel^2; zero at the border, where there are none.
+/// Products of the slopes; zero at the border, where there are none. The unit of length is such that a circle in the
+/// sky is round and a pixel has the area 1.
 Grid<Tensor> tensors(const SkyPyramid& sky, const Grid<Light<1>>& density, double hits) {
   constexpr double kLittle = 0.02;  // of the mean
   const float little = static_cast<float>(kLittle * meanOverSky(sky, density));
   const Grid<float> log = logDensity(sky, density, little);
   Grid<Tensor> result(sky.width(), sky.height());
   forRows(sky.height(), [&](int y) {
+    const float widthUnit = std::sqrt(sky.stretch(y));
     for (int x = 0; x < sky.width(); ++x) {
       if (sky.pixels().border.at(x, y) < 2) continue;
-      const float gx = 0.5F * (log.at(x + 1, y) - log.at(x - 1, y));
-      const float gy = 0.5F * (log.at(x, y + 1) - log.at(x, y - 1));
+      const float gx = 0.5F * (log.at(x + 1, y) - log.at(x - 1, y)) * widthUnit;
+      const float gy = 0.5F * (log.at(x, y + 1) - log.at(x, y - 1)) / widthUnit;
       // The slope of a kernel of variance s has the square integral 0.096 / (pi s^2), the noise of a density that many
       // times the density.
       const float here = density.at(x, y)[0];
@@ -98,11 +100,14 @@ Grid<KernelShape> kernelShapes(const SkyPyramid& sky, const Grid<Light<1>>& dens
       // A square of half side r has the variance r^2 / 3.
       const int r = std::max(2, static_cast<int>(std::min(kWindow * std::sqrt(3.0 * variance), 1e5)));
       const double count = pixels.square(x, y, r);
-      if (count <= 0.0) continue;
+      if (count <= 0.0) {
+        shapes.at(x, y) = KernelShape{}.stretched(sky.stretch(y));
+        continue;
+      }
       const auto mean = [&](const IntegralImage<double>& sum) {
         return static_cast<float>(sum.square(x, y, r) / count);
       };
-      shapes.at(x, y) = shapeOf({mean(xx), mean(xy), mean(yy), mean(noise)}, variance);
+      shapes.at(x, y) = shapeOf({mean(xx), mean(xy), mean(yy), mean(noise)}, variance).stretched(sky.stretch(y));
     }
   });
   return shapes;

@@ -80,8 +80,17 @@ std::string describe(const SunSettings& sun) {
 }
 
 std::string describe(const IceSettings& ice) {
-  const auto* constant = std::get_if<ConstantIce>(&ice);
-  return constant ? std::string("index ").append(plain(constant->index)) : "index of Warren & Brandt 2008";
+  const auto list = [](const IceMixture& mixture) {
+    std::string text;
+    for (const double index : mixture.indices) text += (text.empty() ? "indices " : ", ") + plain(index);
+    return text + " in turn";
+  };
+  return std::visit(Overloaded{
+                        [](const TabulatedIce&) { return std::string("index of Warren & Brandt 2008"); },
+                        [](const ConstantIce& constant) { return std::string("index ").append(plain(constant.index)); },
+                        list,
+                    },
+                    ice);
 }
 
 std::string describe(const CameraSettings& camera) {
@@ -115,7 +124,7 @@ std::string describeScene(const Scene& scene) {
     text += row("population", p.name + ": " + share + "; " + describe(p.shape) + "; " + describe(p.orientation));
   }
   text += row("camera", describe(scene.camera)) + row("trace", describe(scene.trace));
-  return text + row("recon", std::string(nameOf(scene.recon.method)));
+  return text + row("recon", std::string(nameOf(methodOf(scene.recon))));
 }
 
 }  // namespace parhelion

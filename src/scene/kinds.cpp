@@ -24,6 +24,18 @@ std::optional<std::int64_t> integerIn(const toml::node* node, std::int64_t lo, s
   return value && *value >= lo && *value <= hi ? value : std::nullopt;
 }
 
+bool readMixture(const Value& in, const toml::array& list, IceSettings& out) {
+  IceMixture mixture;
+  for (const toml::node& element : list) {
+    const Value one{element, in.key, in.complaints};
+    const auto index = one.numberIn(kIndexRange);
+    if (!index) return one.mustBe(std::string("a list of numbers ").append(kIndexRange.text()) + " here");
+    mixture.indices.push_back(*index);
+  }
+  out = std::move(mixture);
+  return true;
+}
+
 bool readWavelengths(const Value& in, const toml::array& list, SpectrumSettings& out) {
   LineSpectrum lines;
   std::set<double> seen;
@@ -73,6 +85,13 @@ bool Number::read(const Value& in, double& out) const {
   const auto value = in.numberIn(range);
   if (!value) return in.mustBe(std::string("a number ").append(range.text()));
   out = *value;
+  return true;
+}
+
+bool WholeNumber::read(const Value& in, int& out) const {
+  const auto value = integerIn(&in.node, least, most);
+  if (!value) return in.mustBe("a whole number from " + std::to_string(least) + " to " + std::to_string(most));
+  out = static_cast<int>(*value);
   return true;
 }
 
@@ -163,19 +182,23 @@ bool IceIndex::read(const Value& in, IceSettings& out) const {
     out = TabulatedIce{};
     return true;
   }
+  if (const toml::array* list = in.node.as_array(); list && !list->empty()) return readMixture(in, *list, out);
   const auto index = in.numberIn(kIndexRange);
-  if (!index) return in.mustBe(std::string("\"warren-brandt\" or a number ").append(kIndexRange.text()));
+  if (!index)
+    return in.mustBe(std::string("\"warren-brandt\", a number ").append(kIndexRange.text()) + " or a list of such");
   out = ConstantIce{*index};
   return true;
 }
 
 Json IceIndex::schema() const {
   const Json name = {{"enum", {kWarrenBrandt}}};
-  return {{"anyOf", {name, kIndexRange.numberSchema()}}};
+  const Json list = {{"type", "array"}, {"minItems", 1}, {"items", kIndexRange.numberSchema()}};
+  return {{"anyOf", {name, kIndexRange.numberSchema(), list}}};
 }
 
 Json IceIndex::write(const IceSettings& value) const {
   if (const auto* ice = std::get_if<ConstantIce>(&value)) return ice->index;
+  if (const auto* mixture = std::get_if<IceMixture>(&value)) return mixture->indices;
   return kWarrenBrandt;
 }
 

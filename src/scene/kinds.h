@@ -43,6 +43,15 @@ struct Number {
   Json write(double value) const { return value; }
 };
 
+/// An integer.
+struct WholeNumber {
+  int least, most;
+
+  bool read(const Value& in, int& out) const;
+  Json schema() const { return {{"type", "integer"}, {"minimum", least}, {"maximum", most}}; }
+  Json write(int value) const { return value; }
+};
+
 /// Degrees in the file, radians in the settings.
 struct Angle {
   Range degreesRange;

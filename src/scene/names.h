@@ -6,6 +6,7 @@
 #include <array>
 #include <span>
 #include <string_view>
+#include <variant>
 
 #include "scene/scene.h"
 
@@ -21,6 +22,9 @@ struct Named {
 enum class ShapeName { prism, pyramid };
 enum class OrientationName { random, plate, column, parry, lowitz };
 
+/// The alternatives of ReconSettings, in its order.
+enum class ReconMethod { adaptive, none, gaussian, glassner, marvasti, voronoi, act, gonzatoMarchand };
+
 inline constexpr auto kEngineNames = std::to_array<Named<Engine>>({
     {"embree", Engine::embree},
     {"embree-robust", Engine::embreeRobust},
@@ -30,8 +34,27 @@ inline constexpr auto kPathModeNames = std::to_array<Named<PathMode>>({
     {"chance", PathMode::chance},
 });
 inline constexpr auto kReconMethodNames = std::to_array<Named<ReconMethod>>({
-    {"none", ReconMethod::none},
     {"adaptive", ReconMethod::adaptive},
+    {"none", ReconMethod::none},
+    {"gaussian", ReconMethod::gaussian},
+    {"glassner", ReconMethod::glassner},
+    {"marvasti", ReconMethod::marvasti},
+    {"voronoi", ReconMethod::voronoi},
+    {"act", ReconMethod::act},
+    {"gonzato-marchand", ReconMethod::gonzatoMarchand},
+});
+static_assert(kReconMethodNames.size() == std::variant_size_v<ReconSettings>);
+inline constexpr auto kHitReadingNames = std::to_array<Named<HitReading>>({
+    {"intensities", HitReading::intensities},
+    {"densities", HitReading::densities},
+});
+inline constexpr auto kKernelGainNames = std::to_array<Named<KernelGain>>({
+    {"unit", KernelGain::unit},
+    {"paper", KernelGain::paper},
+});
+inline constexpr auto kKernelFlowNames = std::to_array<Named<KernelFlow>>({
+    {"scatter", KernelFlow::scatter},
+    {"gather", KernelFlow::gather},
 });
 inline constexpr auto kProjectionNames = std::to_array<Named<Projection>>({
     {"rectilinear", Projection::rectilinear},
@@ -62,6 +85,9 @@ inline constexpr auto kOrientationNames = std::to_array<Named<OrientationName>>(
 constexpr std::span<const Named<Engine>> namesOf(Engine) { return kEngineNames; }
 constexpr std::span<const Named<PathMode>> namesOf(PathMode) { return kPathModeNames; }
 constexpr std::span<const Named<ReconMethod>> namesOf(ReconMethod) { return kReconMethodNames; }
+constexpr std::span<const Named<HitReading>> namesOf(HitReading) { return kHitReadingNames; }
+constexpr std::span<const Named<KernelGain>> namesOf(KernelGain) { return kKernelGainNames; }
+constexpr std::span<const Named<KernelFlow>> namesOf(KernelFlow) { return kKernelFlowNames; }
 constexpr std::span<const Named<Projection>> namesOf(Projection) { return kProjectionNames; }
 constexpr std::span<const Named<ContinuousSpectrum::Source>> namesOf(ContinuousSpectrum::Source) {
   return kSpectrumNames;
@@ -77,5 +103,8 @@ constexpr std::string_view nameOf(E value) {
   }
   return {};
 }
+
+/// The method that the settings are of.
+constexpr ReconMethod methodOf(const ReconSettings& settings) { return static_cast<ReconMethod>(settings.index()); }
 
 }  // namespace parhelion

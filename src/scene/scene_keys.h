@@ -28,8 +28,10 @@ void visitKeys(Visitor& v, SunSettings& sun) {
 
 template <class Visitor>
 void visitKeys(Visitor& v, IceSettings& ice) {
-  v.key("index", IceIndex{}, ice,
-        "Refractive index of ice: \"warren-brandt\" (table of 2008) or a number, the same at every wavelength.");
+  v.key(
+      "index", IceIndex{}, ice,
+      "Refractive index of ice: \"warren-brandt\" (table of 2008) or a number, the same at every wavelength; of a list "
+      "of numbers rays take each in turn.");
 }
 
 /// A [[population]] as its keys say it; population_kind.cpp makes PopulationSettings of it.
@@ -126,10 +128,45 @@ void visitKeys(Visitor& v, TraceSettings& trace) {
         "At a face: deposit what leaves and follow the rest (\"split\"), or follow one branch picked by chance.");
 }
 
+/// [recon] as its keys say it; recon_kind.cpp makes ReconSettings of it.
+struct ReconKeys {
+  ReconMethod method = ReconMethod::adaptive;
+  std::optional<double> sigma, period, relaxation, samples, lobes;
+  std::optional<int> scales, iterations;
+  std::optional<HitReading> reading;
+  std::optional<KernelGain> gain;
+  std::optional<KernelFlow> flow;
+};
+
 template <class Visitor>
-void visitKeys(Visitor& v, ReconSettings& recon) {
-  v.key("method", Choice<ReconMethod>{}, recon.method,
-        "How scattered hits become an image: \"none\", the plain radiance, or \"adaptive\" filters.");
+void visitKeys(Visitor& v, ReconKeys& r) {
+  constexpr Range kPixels{0, 1e4, true};
+  v.key(
+      "method", Choice<ReconMethod>{}, r.method,
+      "How scattered hits become an image: \"adaptive\" filters, \"none\" (the plain radiance), or one of the methods "
+      "of the literature; the other keys are settings of those.");
+  v.key("sigma", Optional{Number{kPixels}}, r.sigma,
+        "gaussian: standard deviation of the filter, pixels. Left out: by the number of hits.");
+  v.key("scales", Optional{WholeNumber{1, 12}}, r.scales,
+        "glassner: how many Gaussians of standard deviation 1, 2, 4, ... pixels are averaged; 6 when left out.");
+  v.key("period", Optional{Number{kPixels}}, r.period,
+        "marvasti, voronoi, act: Ts, pixels; frequencies up to 1/(2 Ts) pass. Left out: by the number of hits.");
+  v.key("reading", Optional{Choice<HitReading>{}}, r.reading,
+        "voronoi, act: whether hits are values of the picture (\"intensities\") or count by the area around them "
+        "(\"densities\", when left out).");
+  v.key("samples", Optional{Number{{0, 1e12, true}}}, r.samples,
+        "gonzato-marchand: m, hits that a square grows to hold. Left out: by the number of hits.");
+  v.key("lobes", Optional{Number{{1, 16}}}, r.lobes,
+        "gonzato-marchand: k, zeros of the sinc inside a kernel; 1 when left out, above which kernels ring.");
+  v.key("gain", Optional{Choice<KernelGain>{}}, r.gain,
+        "gonzato-marchand: kernels that add up to 1 (\"unit\", when left out) or are used as published (\"paper\").");
+  v.key("flow", Optional{Choice<KernelFlow>{}}, r.flow,
+        "gonzato-marchand: kernels sized where light comes from (\"scatter\", when left out) or goes to (\"gather\").");
+  v.key("iterations", Optional{WholeNumber{0, 1000}}, r.iterations,
+        "marvasti, voronoi, act, gonzato-marchand: corrections after the first filter; 3 for act and 0 for the others "
+        "when left out. They end early where the residual grows.");
+  v.key("relaxation", Optional{Number{{0, 1000, true}}}, r.relaxation,
+        "marvasti: factor of the first picture and of each correction; 1 when left out.");
 }
 
 template <class Visitor>
@@ -139,7 +176,7 @@ void visitKeys(Visitor& v, Scene& scene) {
   v.key("population", Populations{}, scene.populations, "The crystals: at least one population.");
   v.key("camera", Camera{}, scene.camera, "Where the image looks.");
   v.key("trace", Table<TraceSettings>{"[trace]"}, scene.trace, "How light is followed.");
-  v.key("recon", Table<ReconSettings>{"[recon]"}, scene.recon, "How the image is made of the hits.");
+  v.key("recon", Recon{}, scene.recon, "How the image is made of the hits.");
 }
 
 }  // namespace parhelion

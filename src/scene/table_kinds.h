@@ -41,6 +41,13 @@ struct Camera {
 /// The defaults of a camera with this projection.
 CameraSettings defaultCamera(Projection projection);
 
+/// [recon]; keys of other methods than the chosen one are refused.
+struct Recon {
+  bool read(const Value& in, ReconSettings& out) const;
+  Json schema() const;
+  Json write(const ReconSettings&) const { return {}; }
+};
+
 /// The list of [[population]] tables.
 struct Populations {
   bool read(const Value& in, std::vector<PopulationSettings>& out) const;

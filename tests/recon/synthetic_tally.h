@@ -53,7 +53,7 @@ Tally poissonTally(const TallyInfo& info, const Density& density, std::uint64_t 
   return tally;
 }
 
-inline Image adaptive(const Tally& tally) { return reconstruct(tally, {ReconMethod::adaptive}); }
+inline Image adaptive(const Tally& tally) { return reconstruct(tally, AdaptiveSettings{}).image; }
 
 /// A channel of a reconstruction as light per pixel, the unit of Tally::luminance(); of R = G = B the luminance.
 inline std::vector<double> perPixel(const Image& image, const Tally& tally, const char* channel = "G") {

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "recon/adaptive_filter.h"
-#include "recon/growing_squares.h"
 #include "synthetic_tally.h"
 
 namespace parhelion {
@@ -57,21 +56,16 @@ Spot spotIn(int width, int height, double fieldOfView) {
 double keptLight(const Tally& tally) {
   const SkyPyramid sky(tally.width(), tally.height(), Camera(tally.info.camera).solidAngles());
   Grid<Light<2>> light(sky.width(), sky.height());
-  Grid<std::int64_t> raw(sky.width(), sky.height());
   double given = 0.0, kept = 0.0;
   for (std::size_t i = 0; i < light.size(); ++i) {
     const int pixel = static_cast<int>(i);
     if (sky.pixels().omega[i] <= 0.0F) continue;
     light[i] = {static_cast<float>(tally.luminance(pixel)),
                 static_cast<float>(2.0 * tally.firstHalf(pixel) - tally.luminance(pixel))};
-    raw[i] = tally.raw(pixel, Tally::kY);
     given += tally.luminance(pixel);
   }
-  Grid<float> density = growingSquares(sky, raw, toFixed(std::min(8.0, given)));
-  for (std::size_t i = 0; i < density.size(); ++i) density[i] *= static_cast<float>(fromFixed(1));
-  const Filtered filtered = adaptiveFilter<2>(sky, light, density);
-  for (std::size_t i = 0; i < light.size(); ++i)
-    kept += static_cast<double>(filtered.luminance[i][0] * sky.pixels().omega[i]);
+  const Grid<Light<2>> filtered = adaptiveFilter<2>(sky, light, given, Watch{});
+  for (std::size_t i = 0; i < light.size(); ++i) kept += static_cast<double>(filtered[i][0] * sky.pixels().omega[i]);
   return kept / given;
 }
 

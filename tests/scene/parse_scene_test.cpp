@@ -3,6 +3,7 @@
 
 #include <variant>
 
+#include "scene/names.h"
 #include "scene_support.h"
 
 using namespace parhelion;
@@ -33,7 +34,7 @@ TEST_CASE("the documented scene gives the settings it describes") {
   CHECK(scene.camera.fieldOfView == radians(180.0));
   CHECK(scene.camera.imageCircle == 0.0);
   CHECK(scene.trace.rays == 10'000'000);
-  CHECK(scene.recon.method == ReconMethod::adaptive);
+  CHECK(methodOf(scene.recon) == ReconMethod::adaptive);
 
   REQUIRE(scene.populations.size() == 2);
   const PopulationSettings& plates = scene.populations[0];
@@ -168,9 +169,50 @@ TEST_CASE("a byte order mark and Windows line ends change nothing") {
   for (const char c : kExample) text += c == '\n' ? "\r\n" : std::string(1, c);
   const Scene scene = sceneOf("\xEF\xBB\xBF" + text);
   CHECK(scene.populations.size() == 2);
-  CHECK(scene.recon.method == ReconMethod::adaptive);
+  CHECK(methodOf(scene.recon) == ReconMethod::adaptive);
   const auto errors = errorsOf("\xEF\xBB\xBF[sun]\r\nelevation = 91\r\n[[population]]\r\n");
   CHECK(linesOf(errors) ==
         std::vector<std::string>{"2:13 'elevation' must be a number from -90 to 90 degrees, not 91"});
   CHECK(errors.at(0).excerpt.find('\r') == std::string::npos);
+}
+
+TEST_CASE("each method of reconstruction has its own settings") {
+  const auto recon = [](const std::string& keys) { return sceneWith("[recon]\n" + keys).recon; };
+  CHECK(std::get<GaussianSettings>(recon("method = 'gaussian'\nsigma = 2.5")).sigma == 2.5);
+  CHECK_FALSE(std::get<GaussianSettings>(recon("method = 'gaussian'")).sigma);
+  CHECK(std::get<GlassnerSettings>(recon("method = 'glassner'\nscales = 3")).scales == 3);
+  const auto marvasti =
+      std::get<MarvastiSettings>(recon("method = 'marvasti'\nperiod = 4\niterations = 7\nrelaxation = 0.5"));
+  CHECK(marvasti.period == 4.0);
+  CHECK(marvasti.iterations == 7);
+  CHECK(marvasti.relaxation == 0.5);
+  const auto voronoi = std::get<VoronoiSettings>(recon("method = 'voronoi'\nreading = 'intensities'\niterations = 2"));
+  CHECK(voronoi.reading == HitReading::intensities);
+  CHECK(voronoi.iterations == 2);
+  CHECK(std::get<ActSettings>(recon("method = 'act'\nperiod = 3.0")).period == 3.0);
+  const auto paper = std::get<GonzatoMarchandSettings>(
+      recon("method = 'gonzato-marchand'\nsamples = 16\nlobes = 2\ngain = 'paper'\nflow = 'gather'\niterations = 1"));
+  CHECK(paper.samples == 16.0);
+  CHECK(paper.lobes == 2.0);
+  CHECK(paper.gain == KernelGain::paper);
+  CHECK(paper.flow == KernelFlow::gather);
+  CHECK(paper.iterations == 1);
+  CHECK(std::holds_alternative<NoSettings>(recon("method = 'none'")));
+}
+
+TEST_CASE("a setting of another method is an error that says what the method has") {
+  const auto errors =
+      errorsOf(std::string(kPopulation) + "[recon]\nmethod = 'gaussian'\nsamples = 16\niterations = 2\n");
+  REQUIRE(errors.size() == 2);
+  CHECK(errors[0].message == "the method \"gaussian\" has no 'samples'");
+  CHECK(errors[0].hint == "its settings: sigma");
+  CHECK(errors[1].message == "the method \"gaussian\" has no 'iterations'");
+  CHECK(errorsOf(std::string(kPopulation) + "[recon]\nsigma = 2\n").at(0).hint == "it has no settings");
+}
+
+TEST_CASE("ice may be a mixture of indices") {
+  CHECK(std::get<IceMixture>(sceneWith("ice.index = [1.30, 1.31, 1.32]").ice).indices ==
+        std::vector<double>{1.30, 1.31, 1.32});
+  CHECK(errorsOf(std::string(kPopulation) + "[ice]\nindex = [1.31, 0.9]\n").size() == 1);
+  CHECK(errorsOf(std::string(kPopulation) + "[ice]\nindex = []\n").size() == 1);
 }

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "recon/gated_sum.h"
+
+#include <cmath>
+#include <utility>
+
+#include "recon/gates.h"
+
+namespace parhelion {
+namespace {
+
+/// Deviation of a picture over that which fixed kernels would give. The hits place the kernels that spread them, by a
+/// density of pilotHits under a kernel: where they happen to be many, kernels are also narrower and higher. To first
+/// order, for Gaussians of Fourier transform exp(-v/2) and a pilot of exp(-r v/2), the transform of the whole response
+/// is exp(-v/2) (1 + v/2 exp(-r v/2)), whose square integral over v this is.
+float placementNoise(double hits, double pilotHits) {
+  const double r = pilotHits / hits;
+  const double a = 1.0 + 0.5 * r, b = 1.0 + r;
+  return static_cast<float>(std::sqrt(1.0 + 1.0 / (a * a) + 0.5 / (b * b * b)));
+}
+
+}  // namespace
+
+template <std::size_t N>
+GatedSum<N>::GatedSum(const SkyPyramid& sky, const KernelField& field, const Grid<Light<N>>& light, double hits,
+                      double placedBy)
+    : sky_(sky),
+      field_(field),
+      light_(light),
+      hits_(hits),
+      placedBy_(placedBy),
+      wide_(scatter<N>(sky, field, light, hits)),
+      sum_(wide_) {
+  const float noise = placementNoise(hits, placedBy);
+  for (std::size_t i = 0; i < sum_.size(); ++i) sum_[i][1] *= noise;
+}
+
+template <std::size_t N>
+void GatedSum<N>::refine(double caution) {
+  const double narrowHits = 0.25 * hits_;
+  Grid<Light<N>> narrow = scatter<N>(sky_, field_, light_, narrowHits);
+  const Corrections corrections = compareSizes<N>(sky_, field_, wide_, narrow, narrowHits);
+  gates_ = correctionGates(corrections, field_, narrowHits, caution * corrections.noiseRatio, gates_);
+  const float wideNoise = placementNoise(hits_, placedBy_), narrowNoise = placementNoise(narrowHits, placedBy_);
+  forRows(sky_.height(), [&](int y) {
+    for (int x = 0; x < sky_.width(); ++x) {
+      const float gate = gateAt(gates_, x, y);
+      const Light<N>&from = wide_.at(x, y), &to = narrow.at(x, y);
+      Light<N>& sum = sum_.at(x, y);
+      for (std::size_t c = 0; c < N; ++c) {
+        sum[c] += gate * (c == 1 ? narrowNoise * to[c] - wideNoise * from[c] : to[c] - from[c]);
+      }
+    }
+  });
+  wide_ = std::move(narrow);
+  hits_ = narrowHits;
+}
+
+template class GatedSum<2>;
+template class GatedSum<4>;
+
+}  // namespace parhelion
