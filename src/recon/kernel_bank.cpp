@@ -70,7 +70,7 @@ Kernel::Kernel(double minor, double major, double angle) {
       if (span.count++ == 0) span.from = x;
       weights.push_back(rest * rest * rest);
       sum += weights.back();
-      reach_ = std::max({reach_, std::abs(x), std::abs(y)});
+      columnReach_ = std::max(columnReach_, std::abs(x));
     }
     spans_.push_back(span);
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
@@ -38,7 +39,8 @@ class Kernel {
   };
 
   /// Rows and columns that the kernel reaches from its centre.
-  int reach() const { return reach_; }
+  int reach() const { return std::max(rowReach_, columnReach_); }
+  int columnReach() const { return columnReach_; }
   int rowReach() const { return rowReach_; }
   Row row(int dy) const {
     const Span& span = spans_[static_cast<std::size_t>(dy + rowReach_)];
@@ -49,7 +51,7 @@ class Kernel {
   struct Span {
     int from, count, first;
   };
-  int reach_ = 0, rowReach_ = 0;
+  int columnReach_ = 0, rowReach_ = 0;
   std::vector<Span> spans_;
   std::vector<float> weights_;
 };

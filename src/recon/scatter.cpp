@@ -135,10 +135,10 @@ class NearBorder {
         for (int x = 0; x < sky.width(); ++x) {
           const int border = sky.border.at(x, y);
           if (light.at(x, y)[0] == 0.0F || border == 0 || border > 2 * KernelBank::kMaxReach) continue;
-          if (2 * border >= 3 * (mostReach(sites.at(x, y), hits, level) + 1)) continue;
+          if (3 * border >= 4 * (mostReach(sites.at(x, y), hits, level) + 1)) continue;
           // In full where the kernel here touches the border, then fading.
           const auto reach = static_cast<float>(kernelAt(sites, x, y, hits, level).reach() + 1);
-          const float share = std::clamp(3.0F - 2.0F * static_cast<float>(border) / reach, 0.0F, 1.0F);
+          const float share = std::clamp(4.0F - 3.0F * static_cast<float>(border) / reach, 0.0F, 1.0F);
           if (share <= 0.0F) continue;
           shares_.at(x, y) = share;
           blocks_.at(x / kBlock, by) = 1;
@@ -152,11 +152,15 @@ class NearBorder {
   /// How much the border matters to a cell, 0 to 1; 0 where there is no light.
   float share(int x, int y) const { return shares_.at(x, y); }
 
-  /// Whether light of a cell `border` from it could come to cells to which it matters through a kernel of this reach.
-  bool reaches(int x, int y, int border, int reach) const {
-    if (border > farthest_ + reach) return false;
-    const int left = std::max(x - reach, 0) / kBlock, right = std::min((x + reach) / kBlock, blocks_.width() - 1);
-    const int top = std::max(y - reach, 0) / kBlock, bottom = std::min((y + reach) / kBlock, blocks_.height() - 1);
+  /// Whether a cell at this distance from the border could, with a kernel of this reach, reach cells to which it
+  /// matters.
+  bool within(int border, int reach) const { return border <= farthest_ + reach; }
+
+  /// Whether such a cell is in a block that the kernel comes into.
+  bool touchedBy(const Kernel& kernel, int x, int y) const {
+    const int columns = kernel.columnReach(), rows = kernel.rowReach();
+    const int left = std::max(x - columns, 0) / kBlock, right = std::min((x + columns) / kBlock, blocks_.width() - 1);
+    const int top = std::max(y - rows, 0) / kBlock, bottom = std::min((y + rows) / kBlock, blocks_.height() - 1);
     for (int by = top; by <= bottom; ++by) {
       const char* row = blocks_.row(by);
       if (std::find(row + left, row + right + 1, 1) != row + right + 1) return true;
@@ -180,8 +184,9 @@ Grid<Light<1>> spreadOmega(const NearBorder& near, const SkyLevel& sky, const Gr
   Grid<Light<1>> spread(sky.width(), sky.height());
   forSpreadingCells(sky.width(), sky.height(), [&](int x, int y) {
     const int border = sky.border.at(x, y);
-    if (border == 0 || !near.reaches(x, y, border, mostReach(sites.at(x, y), hits, level))) return;
-    splat<1>(spread, kernelAt(sites, x, y, hits, level), x, y, {sky.omega.at(x, y)});
+    if (border == 0 || !near.within(border, mostReach(sites.at(x, y), hits, level))) return;
+    const Kernel& kernel = kernelAt(sites, x, y, hits, level);
+    if (near.touchedBy(kernel, x, y)) splat<1>(spread, kernel, x, y, {sky.omega.at(x, y)});
   });
   return spread;
 }
