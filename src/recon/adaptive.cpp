@@ -20,6 +20,7 @@ std::vector<double> solidAngles(const SkyLight& from, const GuardBand& band) {
 
 template <std::size_t N>
 Grid<Light<N>> lightOf(const SkyLight& from, const GuardBand& band) {
+  const Vec3 white = from.tally().info.white;
   Grid<Light<N>> light(band.width(), band.height());
   forRows(band.height(), [&](int y) {
     for (int x = 0; x < band.width(); ++x) {
@@ -29,8 +30,8 @@ Grid<Light<N>> lightOf(const SkyLight& from, const GuardBand& band) {
       light.at(x, y)[0] = static_cast<float>(here.luminance);
       light.at(x, y)[1] = static_cast<float>(here.difference);
       if constexpr (N == 4) {
-        light.at(x, y)[2] = static_cast<float>(here.x);
-        light.at(x, y)[3] = static_cast<float>(here.z);
+        light.at(x, y)[2] = static_cast<float>(white.x > 0.0 ? here.x / white.x : 0.0);
+        light.at(x, y)[3] = static_cast<float>(white.z > 0.0 ? here.z / white.z : 0.0);
       }
     }
   });
@@ -38,14 +39,13 @@ Grid<Light<N>> lightOf(const SkyLight& from, const GuardBand& band) {
 }
 
 /// What turns filtered hits into radiance so that all light is kept.
-template <std::size_t N>
-double keepingAllLight(const Grid<Light<N>>& filtered, const GuardBand& band, const SkyLight& from) {
+double keepingAllLight(const Grid<Light<2>>& luminance, const GuardBand& band, const SkyLight& from) {
   const int width = from.tally().width();
   const double sum = sumOverRows(from.tally().height(), [&](int y) {
     double row = 0.0;
     for (int x = 0; x < width; ++x) {
       const std::size_t pixel = static_cast<std::size_t>(y) * width + x;
-      row += static_cast<double>(filtered[band.cellOf(pixel)][0]) * from.solidAngles()[pixel];
+      row += static_cast<double>(luminance[band.cellOf(pixel)][0]) * from.solidAngles()[pixel];
     }
     return row;
   });
@@ -56,22 +56,25 @@ template <std::size_t N>
 Image reconstructed(const SkyLight& from, const Watch& watch) {
   const GuardBand band(from.tally().info.camera);
   const SkyPyramid sky(band.width(), band.height(), solidAngles(from, band), band.frame());
-  const Grid<Light<N>> filtered = adaptiveFilter<N>(sky, lightOf<N>(from, band), from.hits(), watch);
+  const Filtered filtered = adaptiveFilter<N>(sky, lightOf<N>(from, band), from.hits(), watch);
 
-  const Mat3 toRgb = xyzToRec709(from.tally().info.white);
-  const auto at = [&](std::size_t pixel, std::size_t c) {
-    return static_cast<double>(filtered[band.cellOf(pixel)][c]);
-  };
+  const Vec3 white = from.tally().info.white;
+  const Mat3 toRgb = xyzToRec709(white);
+  const auto luminanceAt = [&](std::size_t pixel) { return filtered.luminance[band.cellOf(pixel)]; };
   FilteredLight light;
-  light.luminance = [&](std::size_t pixel) { return at(pixel, 0); };
-  light.difference = [&](std::size_t pixel) { return at(pixel, 1); };
+  light.luminance = [&](std::size_t pixel) { return static_cast<double>(luminanceAt(pixel)[0]); };
+  light.difference = [&](std::size_t pixel) { return static_cast<double>(luminanceAt(pixel)[1]); };
   light.rgb = [&](std::size_t pixel) {
-    return N == 4 ? toRgb * Vec3(at(pixel, N - 2), at(pixel, 0), at(pixel, N - 1)) : Vec3(at(pixel, 0));
+    const auto luminance = static_cast<double>(luminanceAt(pixel)[0]);
+    if (N == 2) return Vec3(luminance);
+    const auto [y, x, z] = filtered.colour[band.cellOf(pixel)];
+    if (!(y > 0.0F)) return Vec3(luminance);
+    return luminance * (toRgb * Vec3(white.x * static_cast<double>(x / y), 1.0, white.z * static_cast<double>(z / y)));
   };
   light.hitsPerPixel = [&](std::size_t pixel) {
-    return at(pixel, 0) * static_cast<double>(sky.wholeOmega()[band.cellOf(pixel)]);
+    return static_cast<double>(luminanceAt(pixel)[0] * sky.wholeOmega()[band.cellOf(pixel)]);
   };
-  return developed(from.tally().width(), from.tally().height(), light, keepingAllLight(filtered, band, from));
+  return developed(from.tally().width(), from.tally().height(), light, keepingAllLight(filtered.luminance, band, from));
 }
 
 }  // namespace

@@ -106,8 +106,7 @@ double hitsPerKernel(double hits) {
 }
 
 template <std::size_t N>
-Grid<Light<N>> adaptiveFilter(const SkyPyramid& sky, const Grid<Light<N>>& light, double totalHits,
-                              const Watch& watch) {
+Filtered adaptiveFilter(const SkyPyramid& sky, const Grid<Light<N>>& light, double totalHits, const Watch& watch) {
   const SkyPyramid half = sky.halved();
   const Grid<Light<N>> halfLight = sky.levels() > 1 ? halved(light) : light;
   const double n = hitsPerKernel(totalHits), caution = cautionFor(totalHits);
@@ -120,10 +119,10 @@ Grid<Light<N>> adaptiveFilter(const SkyPyramid& sky, const Grid<Light<N>>& light
     watch.at(done);
     sum.refine(caution);
   }
-  return sum.result();
+  return {sum.result(), sum.colour()};
 }
 
-template Grid<Light<2>> adaptiveFilter(const SkyPyramid&, const Grid<Light<2>>&, double, const Watch&);
-template Grid<Light<4>> adaptiveFilter(const SkyPyramid&, const Grid<Light<4>>&, double, const Watch&);
+template Filtered adaptiveFilter(const SkyPyramid&, const Grid<Light<2>>&, double, const Watch&);
+template Filtered adaptiveFilter(const SkyPyramid&, const Grid<Light<4>>&, double, const Watch&);
 
 }  // namespace parhelion

@@ -7,7 +7,7 @@ namespace parhelion {
 
 /// A picture filtered with wide kernels, to which corrections by ever narrower ones are added where these stand above
 /// the noise. Light 0 is the luminance in effective hits, light 1 the difference between two independent halves of it,
-/// lights 2 and 3 are X and Z.
+/// lights 2 and 3 are X and Z relative to white.
 template <std::size_t N>
 class GatedSum {
  public:
@@ -18,8 +18,11 @@ class GatedSum {
   /// Adds what kernels of a quarter of the hits make better. A correction must exceed `caution` times its noise.
   void refine(double caution);
 
-  /// Light per relative solid angle (SkyLevel::omega), all kinds through the same kernels and gates.
-  const Grid<Light<N>>& result() const { return sum_; }
+  /// Luminance and the difference between its halves, per relative solid angle (SkyLevel::omega).
+  const Grid<Light<2>>& result() const { return sum_; }
+
+  /// Luminance, X and Z through gates of their own, of which only the ratios are of use; empty without colour.
+  const Grid<Light<3>>& colour() const { return colour_; }
 
  private:
   const SkyPyramid& sky_;
@@ -27,8 +30,9 @@ class GatedSum {
   const Grid<Light<N>>& light_;
   double hits_, placedBy_;
   Grid<Light<N>> wide_;  // the last picture, of hits_
-  Grid<Light<N>> sum_;
-  Grid<float> gates_;
+  Grid<Light<2>> sum_;
+  Grid<Light<3>> colour_;
+  Grid<float> gates_, colourGates_;
 };
 
 extern template class GatedSum<2>;

@@ -67,6 +67,49 @@ constexpr float kMostSquare = 1e4F;
 // decide for all.
 constexpr float kMostOverNoise = 100.0F;
 
+/// The median over the blocks of what changes in colour over the noise.
+double medianColour(const Grid<CorrectionSquares>& blocks) {
+  std::vector<float> ratios;
+  ratios.reserve(blocks.size());
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    if (blocks[i].noise > 0.0F) ratios.push_back(blocks[i].colour / blocks[i].noise);
+  }
+  if (ratios.empty()) return 1.0;
+  // Two squares of normal deviates, the same all over a block, have the median 2 ln 2.
+  const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
+  std::nth_element(ratios.begin(), middle, ratios.end());
+  return static_cast<double>(*middle) / std::numbers::ln2;
+}
+
+/// Gates for one kind of squares.
+Grid<float> gatesFor(float CorrectionSquares::*squares, const Corrections& corrections, const KernelField& field,
+                     double hits, double caution, const Grid<float>& coarser) {
+  const Grid<CorrectionSquares>& blocks = corrections.blocks;
+  const auto sums = [&](float CorrectionSquares::*part) {
+    return IntegralImage<double>(blocks.width(), blocks.height(),
+                                 [&, part](int x, int y) { return blocks.at(x, y).*part; });
+  };
+  const auto correction = sums(squares), noise = sums(&CorrectionSquares::noise);
+
+  constexpr double kWindow = 2.0;       // half side, standard deviations of the kernels
+  constexpr double kLeastWindow = 1.5;  // blocks
+  constexpr double kRounding = 1e-9;    // of the sums: at most 1e4 a block, 1e8 blocks, 1e-16 of that
+  const Grid<KernelSite>& sites = field.level(std::min(1, field.levels() - 1));  // a single pixel has but one level
+  Grid<float> gates(blocks.width(), blocks.height());
+  forRows(blocks.height(), [&](int y) {
+    for (int x = 0; x < blocks.width(); ++x) {
+      if (blocks.at(x, y).pixels <= 0.0F) continue;
+      const float density = sites.at(x, y).density;
+      const double sigma = std::sqrt(static_cast<double>(kernelVariance(hits, density)));
+      const int r = static_cast<int>(std::clamp(0.5 * kWindow * sigma, kLeastWindow, 1e5) + 0.5);
+      const double kept = correction.square(x, y, r), lost = caution * noise.square(x, y, r);
+      const float coarserGate = coarser.size() > 0 ? coarser.at(x, y) : 1.0F;
+      if (kept > lost + kRounding) gates.at(x, y) = coarserGate * static_cast<float>(1.0 - lost / kept);
+    }
+  });
+  return gates;
+}
+
 }  // namespace
 
 template <std::size_t N>
@@ -89,6 +132,12 @@ Corrections compareSizes(const SkyPyramid& sky, const KernelField& field, const 
         CorrectionSquares& block = result.blocks.at(x / 2, by);
         block.correction += std::min(correction * correction, kMostSquare);
         block.noise += noise;
+        if constexpr (N == 4) {
+          for (const std::size_t c : {2, 3}) {
+            const float colour = (narrow.at(x, y)[c] - wide.at(x, y)[c]) * perDensity - correction;
+            block.colour += std::min(colour * colour, kMostSquare);
+          }
+        }
         block.pixels += 1.0F;
         if (!sky.counts(x, y)) continue;
         measured += static_cast<double>(density * std::min(difference * difference, kMostOverNoise * noise));
@@ -102,6 +151,7 @@ Corrections compareSizes(const SkyPyramid& sky, const KernelField& field, const 
     expected += e;
   }
   if (expected > 0.0) result.noiseRatio = measured / expected;
+  if (N == 4) result.colourRatio = medianColour(result.blocks);
   return result;
 }
 
@@ -112,30 +162,12 @@ template Corrections compareSizes(const SkyPyramid&, const KernelField&, const G
 
 Grid<float> correctionGates(const Corrections& corrections, const KernelField& field, double hits, double caution,
                             const Grid<float>& coarser) {
-  const Grid<CorrectionSquares>& blocks = corrections.blocks;
-  const auto sums = [&](float CorrectionSquares::*part) {
-    return IntegralImage<double>(blocks.width(), blocks.height(),
-                                 [&, part](int x, int y) { return blocks.at(x, y).*part; });
-  };
-  const auto correction = sums(&CorrectionSquares::correction), noise = sums(&CorrectionSquares::noise);
+  return gatesFor(&CorrectionSquares::correction, corrections, field, hits, caution * corrections.noiseRatio, coarser);
+}
 
-  constexpr double kWindow = 2.0;       // half side, standard deviations of the kernels
-  constexpr double kLeastWindow = 1.5;  // blocks
-  constexpr double kRounding = 1e-9;    // of the sums: at most 1e4 a block, 1e8 blocks, 1e-16 of that
-  const Grid<KernelSite>& sites = field.level(std::min(1, field.levels() - 1));  // a single pixel has but one level
-  Grid<float> gates(blocks.width(), blocks.height());
-  forRows(blocks.height(), [&](int y) {
-    for (int x = 0; x < blocks.width(); ++x) {
-      if (blocks.at(x, y).pixels <= 0.0F) continue;
-      const float density = sites.at(x, y).density;
-      const double sigma = std::sqrt(static_cast<double>(kernelVariance(hits, density)));
-      const int r = static_cast<int>(std::clamp(0.5 * kWindow * sigma, kLeastWindow, 1e5) + 0.5);
-      const double kept = correction.square(x, y, r), lost = caution * noise.square(x, y, r);
-      const float coarserGate = coarser.size() > 0 ? coarser.at(x, y) : 1.0F;
-      if (kept > lost + kRounding) gates.at(x, y) = coarserGate * static_cast<float>(1.0 - lost / kept);
-    }
-  });
-  return gates;
+Grid<float> colourGates(const Corrections& corrections, const KernelField& field, double hits, double caution,
+                        const Grid<float>& coarser) {
+  return gatesFor(&CorrectionSquares::colour, corrections, field, hits, caution * corrections.colourRatio, coarser);
 }
 
 float gateAt(const Grid<float>& gates, int x, int y) {

@@ -10,17 +10,20 @@ namespace parhelion {
 struct CorrectionSquares {
   float correction = 0.0F;  // squares of the correction
   float noise = 0.0F;       // what Poisson noise alone would make of them
+  float colour = 0.0F;      // squares of what it changes in X - Y and Z - Y, X and Z being 1 where the light is white
   float pixels = 0.0F;
 };
 
 /// Corrections at half resolution, and how the noise compares with that of independent hits.
 struct Corrections {
   Grid<CorrectionSquares> blocks;
-  double noiseRatio = 1.0;  // measured variance over that of independent hits
+  double noiseRatio = 1.0;   // measured variance over that of independent hits
+  double colourRatio = 1.0;  // of what the noise changes in colour over what it would change in the luminance
 };
 
 /// Compares the pictures of 4n and n = `hits` hits a kernel. Of every pixel, light 0 is the luminance and light 1 the
-/// difference between two independent halves of it, whose square is pure noise.
+/// difference between two independent halves of it, whose square is pure noise. Lights 2 and 3 are X and Z relative to
+/// white. Of these there are no halves: what changes in colour is taken for noise in half of all blocks.
 template <std::size_t N>
 Corrections compareSizes(const SkyPyramid& sky, const KernelField& field, const Grid<Light<N>>& wide,
                          const Grid<Light<N>>& narrow, double hits);
@@ -35,6 +38,10 @@ extern template Corrections compareSizes(const SkyPyramid&, const KernelField&, 
 /// kernels (empty: none). So any sum of gated corrections is a mean of the filtered pictures: it stays positive.
 Grid<float> correctionGates(const Corrections& corrections, const KernelField& field, double hits, double caution,
                             const Grid<float>& coarser);
+
+/// The same for corrections of colour.
+Grid<float> colourGates(const Corrections& corrections, const KernelField& field, double hits, double caution,
+                        const Grid<float>& coarser);
 
 /// A gate at a pixel, between the centres of the blocks.
 float gateAt(const Grid<float>& gates, int x, int y);

@@ -64,8 +64,8 @@ double keptLight(const Tally& tally) {
                 static_cast<float>(2.0 * tally.firstHalf(pixel) - tally.luminance(pixel))};
     given += tally.luminance(pixel);
   }
-  const Grid<Light<2>> filtered = adaptiveFilter<2>(sky, light, given, Watch{});
-  for (std::size_t i = 0; i < light.size(); ++i) kept += static_cast<double>(filtered[i][0] * sky.pixels().omega[i]);
+  const Filtered filtered = adaptiveFilter<2>(sky, light, given, Watch{});
+  for (std::size_t i = 0; i < light.size(); ++i) kept += static_cast<double>(filtered.luminance[i][0] * sky.pixels().omega[i]);
   return kept / given;
 }
 
