@@ -20,9 +20,9 @@ float placementNoise(double hits, double pilotHits) {
   return static_cast<float>(std::sqrt(1.0 + 1.0 / (a * a) + 0.5 / (b * b * b)));
 }
 
-/// Corrections of colour need exceed their noise less: what is lost of it shows at the arcs. Measured, as the error of
-/// R, G and B.
-constexpr double kColourCaution = 0.5;
+/// How many times a correction of colour must exceed its noise. Measured, as the error of R, G and B; at many hits less
+/// than for the luminance, for what is lost of colour shows at the arcs.
+constexpr double kColourCaution = 1.0;
 
 }  // namespace
 
@@ -50,7 +50,7 @@ void GatedSum<N>::refine(double caution) {
   Grid<Light<N>> narrow = scatter<N>(sky_, field_, light_, narrowHits);
   const Corrections corrections = compareSizes<N>(sky_, field_, wide_, narrow, narrowHits);
   gates_ = correctionGates(corrections, field_, narrowHits, caution, gates_);
-  if (N == 4) colourGates_ = colourGates(corrections, field_, narrowHits, kColourCaution * caution, colourGates_);
+  if (N == 4) colourGates_ = colourGates(corrections, field_, narrowHits, kColourCaution, colourGates_);
   const float wideNoise = placementNoise(hits_, placedBy_), narrowNoise = placementNoise(narrowHits, placedBy_);
   forRows(sky_.height(), [&](int y) {
     for (int x = 0; x < sky_.width(); ++x) {

@@ -75,10 +75,11 @@ double medianColour(const Grid<CorrectionSquares>& blocks) {
     if (blocks[i].noise > 0.0F) ratios.push_back(blocks[i].colour / blocks[i].noise);
   }
   if (ratios.empty()) return 1.0;
-  // Two squares of normal deviates, the same all over a block, have the median 2 ln 2.
+  // The square of a normal deviate has this median: a block's pixels, and X and Z, vary nearly as one.
+  constexpr double kMedianOfSquare = 0.455;
   const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
   std::nth_element(ratios.begin(), middle, ratios.end());
-  return static_cast<double>(*middle) / std::numbers::ln2;
+  return static_cast<double>(*middle) / kMedianOfSquare;
 }
 
 /// Gates for one kind of squares.
@@ -133,9 +134,12 @@ Corrections compareSizes(const SkyPyramid& sky, const KernelField& field, const 
         block.correction += std::min(correction * correction, kMostSquare);
         block.noise += noise;
         if constexpr (N == 4) {
+          // Light that wide kernels spread from a bright place has that place's relative noise of colour.
+          const float perLight = 1.0F / std::max(wide.at(x, y)[0], 1.0F / perDensity);
+          const float luminance = narrow.at(x, y)[0] - wide.at(x, y)[0];
           for (const std::size_t c : {2, 3}) {
-            const float colour = (narrow.at(x, y)[c] - wide.at(x, y)[c]) * perDensity - correction;
-            block.colour += std::min(colour * colour, kMostSquare);
+            const float colour = (narrow.at(x, y)[c] - wide.at(x, y)[c] - luminance) * perLight;
+            block.colour += colour * colour;
           }
         }
         block.pixels += 1.0F;

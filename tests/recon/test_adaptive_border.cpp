@@ -65,7 +65,8 @@ double keptLight(const Tally& tally) {
     given += tally.luminance(pixel);
   }
   const Filtered filtered = adaptiveFilter<2>(sky, light, given, Watch{});
-  for (std::size_t i = 0; i < light.size(); ++i) kept += static_cast<double>(filtered.luminance[i][0] * sky.pixels().omega[i]);
+  for (std::size_t i = 0; i < light.size(); ++i)
+    kept += static_cast<double>(filtered.luminance[i][0] * sky.pixels().omega[i]);
   return kept / given;
 }
 

@@ -61,4 +61,29 @@ TEST_CASE("a red and a blue half keep their colours, and nothing is redder or bl
   }
 }
 
+TEST_CASE("white dots of coloured hits stay whiter than their own hits are") {
+  TallyInfo info = fullSky(kSide);
+  info.white = {0.95, 1.0, 1.09};
+  Tally tally(info, 3);
+  const auto isDot = [](int pixel) { return std::hypot(pixel % kSide % 16 - 8, pixel / kSide % 16 - 8) < 2.5; };
+  for (int pixel = 0; pixel < tally.pixels(); ++pixel) {
+    RandomStream random(23, static_cast<std::uint64_t>(pixel), RandomPurpose::path);
+    const int count = poisson(isDot(pixel) ? 40.0 : 0.2, random);
+    for (int i = 0; i < count; ++i) {
+      const bool red = random.next() < 0.5;
+      tally.add(pixel, red ? Vec3(1.4, 1.0, 0.1) : Vec3(0.5, 1.0, 2.08), random.next() < 0.5);
+    }
+  }
+  const Image image = adaptive(tally), plain = reconstruct(tally, NoSettings{}).image;
+  const auto colour = [&](const Image& sky) {
+    const auto [red, green, blue] = sky.rgb();
+    double sum = 0.0;
+    for (std::size_t i = 0; i < sky.pixels(); ++i) {
+      if (isDot(static_cast<int>(i))) sum += std::pow(static_cast<double>(((*red)[i] - (*blue)[i]) / (*green)[i]), 2);
+    }
+    return std::sqrt(sum);
+  };
+  CHECK(colour(image) < 0.4 * colour(plain));
+}
+
 }  // namespace parhelion
