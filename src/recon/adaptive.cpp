@@ -18,9 +18,13 @@ std::vector<double> solidAngles(const SkyLight& from, const GuardBand& band) {
   return result;
 }
 
+/// X, Y and Z relative to white.
+Vec3 perWhite(const Vec3& xyz, const Vec3& white) {
+  return {white.x > 0.0 ? xyz.x / white.x : 0.0, xyz.y, white.z > 0.0 ? xyz.z / white.z : 0.0};
+}
+
 template <std::size_t N>
 Grid<Light<N>> lightOf(const SkyLight& from, const GuardBand& band) {
-  const Vec3 white = from.tally().info.white;
   Grid<Light<N>> light(band.width(), band.height());
   forRows(band.height(), [&](int y) {
     for (int x = 0; x < band.width(); ++x) {
@@ -30,51 +34,81 @@ Grid<Light<N>> lightOf(const SkyLight& from, const GuardBand& band) {
       light.at(x, y)[0] = static_cast<float>(here.luminance);
       light.at(x, y)[1] = static_cast<float>(here.difference);
       if constexpr (N == 4) {
-        light.at(x, y)[2] = static_cast<float>(white.x > 0.0 ? here.x / white.x : 0.0);
-        light.at(x, y)[3] = static_cast<float>(white.z > 0.0 ? here.z / white.z : 0.0);
+        const Vec3 xyz = perWhite({here.x, here.luminance, here.z}, from.tally().info.white);
+        light.at(x, y)[2] = static_cast<float>(xyz.x);
+        light.at(x, y)[3] = static_cast<float>(xyz.z);
       }
     }
   });
   return light;
 }
 
-/// What turns filtered hits into radiance so that all light is kept.
-double keepingAllLight(const Grid<Light<2>>& luminance, const GuardBand& band, const SkyLight& from) {
+/// What comes out of the filter, by the picture's pixels.
+class FilteredPixels {
+ public:
+  FilteredPixels(Filtered filtered, const GuardBand& band) : filtered_(std::move(filtered)), band_(band) {}
+
+  double luminance(std::size_t pixel) const { return static_cast<double>(at(pixel)[0]); }
+  double difference(std::size_t pixel) const { return static_cast<double>(at(pixel)[1]); }
+
+  /// X, Y and Z relative to white: the luminance in the ratios of the colour.
+  Vec3 colour(std::size_t pixel) const {
+    const double y = luminance(pixel);
+    if (filtered_.colour.size() == 0) return Vec3(y);
+    const Light<3>& c = filtered_.colour[band_.cellOf(pixel)];
+    return c[0] > 0.0F ? y * Vec3(static_cast<double>(c[1] / c[0]), 1.0, static_cast<double>(c[2] / c[0])) : Vec3(y);
+  }
+
+ private:
+  const Light<2>& at(std::size_t pixel) const { return filtered_.luminance[band_.cellOf(pixel)]; }
+
+  Filtered filtered_;
+  const GuardBand& band_;
+};
+
+/// What X, Y and Z must be multiplied by so that all light of each is kept, in radiance.
+Vec3 keepingAllLight(const FilteredPixels& pixels, const SkyLight& from) {
   const int width = from.tally().width();
-  const double sum = sumOverRows(from.tally().height(), [&](int y) {
-    double row = 0.0;
-    for (int x = 0; x < width; ++x) {
-      const std::size_t pixel = static_cast<std::size_t>(y) * width + x;
-      row += static_cast<double>(luminance[band.cellOf(pixel)][0]) * from.solidAngles()[pixel];
-    }
-    return row;
+  const auto sumOver = [&](const auto& light) {
+    return sumOverRows(from.tally().height(), [&](int y) {
+      Vec3 row(0.0);
+      for (int x = 0; x < width; ++x) {
+        const std::size_t pixel = static_cast<std::size_t>(y) * width + x;
+        if (from.solidAngles()[pixel] > 0.0) row += light(pixel);
+      }
+      return row;
+    });
+  };
+  const Vec3 given = sumOver([&](std::size_t pixel) {
+    const SkyLight::Pixel light = from.at(pixel);
+    return perWhite({light.x, light.luminance, light.z}, from.tally().info.white);
   });
-  return from.light() / (from.tally().info.interceptedLight() * sum);
+  const Vec3 kept = sumOver([&](std::size_t pixel) { return from.solidAngles()[pixel] * pixels.colour(pixel); });
+  Vec3 scale(1.0 / (from.hitsPerLight() * from.tally().info.interceptedLight()));
+  for (int c = 0; c < 3; ++c) scale[c] *= kept[c] > 0.0 && given[c] > 0.0 ? given[c] / kept[c] : given.y / kept.y;
+  return scale;
 }
 
 template <std::size_t N>
 Image reconstructed(const SkyLight& from, const Watch& watch) {
   const GuardBand band(from.tally().info.camera);
   const SkyPyramid sky(band.width(), band.height(), solidAngles(from, band), band.frame());
-  const Filtered filtered = adaptiveFilter<N>(sky, lightOf<N>(from, band), from.hits(), watch);
+  const FilteredPixels pixels(adaptiveFilter<N>(sky, lightOf<N>(from, band), from.hits(), watch), band);
 
   const Vec3 white = from.tally().info.white;
   const Mat3 toRgb = xyzToRec709(white);
-  const auto luminanceAt = [&](std::size_t pixel) { return filtered.luminance[band.cellOf(pixel)]; };
+  const Vec3 keeping = keepingAllLight(pixels, from);
+  const Vec3 toXyz = white * keeping / keeping.y;
   FilteredLight light;
-  light.luminance = [&](std::size_t pixel) { return static_cast<double>(luminanceAt(pixel)[0]); };
-  light.difference = [&](std::size_t pixel) { return static_cast<double>(luminanceAt(pixel)[1]); };
+  light.luminance = [&](std::size_t pixel) { return pixels.luminance(pixel); };
+  light.difference = [&](std::size_t pixel) { return pixels.difference(pixel); };
   light.rgb = [&](std::size_t pixel) {
-    const auto luminance = static_cast<double>(luminanceAt(pixel)[0]);
-    if (N == 2) return Vec3(luminance);
-    const auto [y, x, z] = filtered.colour[band.cellOf(pixel)];
-    if (!(y > 0.0F)) return Vec3(luminance);
-    return luminance * (toRgb * Vec3(white.x * static_cast<double>(x / y), 1.0, white.z * static_cast<double>(z / y)));
+    return N == 2 ? Vec3(pixels.luminance(pixel)) : toRgb * (toXyz * pixels.colour(pixel));
   };
   light.hitsPerPixel = [&](std::size_t pixel) {
-    return static_cast<double>(luminanceAt(pixel)[0] * sky.wholeOmega()[band.cellOf(pixel)]);
+    return pixels.luminance(pixel) * static_cast<double>(sky.wholeOmega()[band.cellOf(pixel)]);
   };
-  return developed(from.tally().width(), from.tally().height(), light, keepingAllLight(filtered.luminance, band, from));
+  return developed(from.tally().width(), from.tally().height(), light, keeping.y);
 }
 
 }  // namespace

@@ -44,13 +44,13 @@ void forRows(int height, const F& f) {
   });
 }
 
-/// The sum of f(y) over all rows: rows in parallel, the sum itself in their order.
+/// The sum of f(y), a number or a vector, over all rows: rows in parallel, the sum itself in their order.
 template <class F>
-double sumOverRows(int height, const F& f) {
-  std::vector<double> sums(static_cast<std::size_t>(height));
+auto sumOverRows(int height, const F& f) {
+  std::vector<decltype(f(0))> sums(static_cast<std::size_t>(height));
   forRows(height, [&](int y) { sums[static_cast<std::size_t>(y)] = f(y); });
-  double total = 0.0;
-  for (const double sum : sums) total += sum;
+  decltype(f(0)) total{};
+  for (const auto& sum : sums) total += sum;
   return total;
 }
 
