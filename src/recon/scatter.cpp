@@ -134,7 +134,7 @@ class NearBorder {
       for (int y = by * kBlock; y < std::min((by + 1) * kBlock, sky.height()); ++y) {
         for (int x = 0; x < sky.width(); ++x) {
           const int border = sky.border.at(x, y);
-          if (light.at(x, y)[0] == 0.0F || border == 0 || border > 2 * KernelBank::kMaxReach) continue;
+          if (light.at(x, y)[0] == 0.0F || border == 0 || 3 * border >= 4 * (KernelBank::kMaxReach + 1)) continue;
           if (3 * border >= 4 * (mostReach(sites.at(x, y), hits, level) + 1)) continue;
           // In full where the kernel here touches the border, then fading.
           const auto reach = static_cast<float>(kernelAt(sites, x, y, hits, level).reach() + 1);
@@ -147,13 +147,16 @@ class NearBorder {
       }
     });
     farthest_ = *std::max_element(farthest.begin(), farthest.end());
+    widen();
   }
 
   /// How much the border matters to a cell, 0 to 1; 0 where there is no light.
   float share(int x, int y) const { return shares_.at(x, y); }
 
-  /// Whether a cell at this distance from the border could, with a kernel of this reach, reach cells to which it
-  /// matters.
+  /// Whether cells to which it matters are within the longest kernel's reach of a cell, as far as blocks tell.
+  bool isClose(int x, int y) const { return close_.at(x / kBlock, y / kBlock) != 0; }
+
+  /// Whether a cell at this distance from the border could, with a kernel of this reach, reach such cells.
   bool within(int border, int reach) const { return border <= farthest_ + reach; }
 
   /// Whether such a cell is in a block that the kernel comes into.
@@ -172,8 +175,23 @@ class NearBorder {
   static constexpr int kBlock = 16;  // cells
   static int blocksOf(int cells) { return (cells + kBlock - 1) / kBlock; }
 
+  void widen() {
+    constexpr int kReach = KernelBank::kMaxReach / kBlock + 1;
+    close_ = {blocks_.width(), blocks_.height()};
+    for (int by = 0; by < blocks_.height(); ++by) {
+      for (int bx = 0; bx < blocks_.width(); ++bx) {
+        if (blocks_.at(bx, by) == 0) continue;
+        for (int y = std::max(by - kReach, 0); y <= std::min(by + kReach, blocks_.height() - 1); ++y) {
+          char* row = close_.row(y);
+          std::fill(row + std::max(bx - kReach, 0), row + std::min(bx + kReach, blocks_.width() - 1) + 1, 1);
+        }
+      }
+    }
+  }
+
   Grid<float> shares_;
   Grid<char> blocks_;  // 1: the border matters to a cell in it
+  Grid<char> close_;   // 1: such a block is within reach
   int farthest_ = 0;   // of all these from the border
 };
 
@@ -184,7 +202,7 @@ Grid<Light<1>> spreadOmega(const NearBorder& near, const SkyLevel& sky, const Gr
   Grid<Light<1>> spread(sky.width(), sky.height());
   forSpreadingCells(sky.width(), sky.height(), [&](int x, int y) {
     const int border = sky.border.at(x, y);
-    if (border == 0 || !near.within(border, mostReach(sites.at(x, y), hits, level))) return;
+    if (border == 0 || !near.isClose(x, y) || !near.within(border, mostReach(sites.at(x, y), hits, level))) return;
     const Kernel& kernel = kernelAt(sites, x, y, hits, level);
     if (near.touchedBy(kernel, x, y)) splat<1>(spread, kernel, x, y, {sky.omega.at(x, y)});
   });
