@@ -25,6 +25,7 @@ void PictureOptions::addTo(CLI::App& command) {
 std::filesystem::path PictureOptions::exr(const std::string& input) const {
   const std::filesystem::path own = std::filesystem::path(input).filename().replace_extension(".exr");
   if (output.empty()) return own;
+  if (output == "-") throw CLI::ValidationError("-o", "a picture is two files and cannot go to stdout");
   std::filesystem::path path = output;
   if (!path.has_filename() || std::filesystem::is_directory(path)) return path / own;
   const std::string extension = path.extension().string();

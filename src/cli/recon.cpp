@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -33,6 +34,11 @@ struct ReconOptions {
 
   LoadedScene load(const Tally& traced) const {
     std::vector<std::string> all;
+    const auto namesMethod = [](const std::string& o) {
+      return o.starts_with("recon.method") || o.starts_with("recon=");
+    };
+    if (!method.empty() && std::any_of(overrides.begin(), overrides.end(), namesMethod))
+      throw CLI::ValidationError("--method", "-D says another method");
     // The settings of the scene's own method are none of another's.
     if (!method.empty()) all.push_back("recon={method='" + method + "'}");
     all.insert(all.end(), overrides.begin(), overrides.end());
@@ -101,7 +107,7 @@ std::vector<Tally> readReferences(const ReconOptions& options, const Tally& tall
   std::vector<Tally> references;
   for (const std::string& path : paths) {
     references.push_back(readTallyExr(path));
-    requireFitting(options.tally, path, [&] { requireSamePicture(tally.info, references.back().info); });
+    requireFitting(options.tally, path, [&] { requireReferencePair(tally.info, references.back().info); });
   }
   if (references.size() == 2)
     requireFitting(paths[0], paths[1], [&] { requireReferencePair(references[0].info, references[1].info); });
@@ -191,10 +197,6 @@ int runRecon(const ReconOptions& options) {
     std::fprintf(stderr, "interrupted: nothing was written\n");
     return kInterrupted;
   }
-  for (std::size_t i = 0; i < references.size(); ++i)
-    if (shareRays(tally.info, references[i].info))
-      run.sky.remarks.push_back("the same rays are in " + options.references[i] + ", which makes errors look smaller");
-
   // Before the sun is drawn.
   if (!options.confidence.empty())
     writePng(options.confidence, confidence(run.sky.image), {{"Software", "parhelion " PARHELION_VERSION}});

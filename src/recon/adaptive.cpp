@@ -100,6 +100,7 @@ Image reconstructed(const SkyLight& from, const Watch& watch) {
   const Vec3 keeping = keepingAllLight(pixels, from);
   const Vec3 toXyz = white * keeping / keeping.y;
   FilteredLight light;
+  light.hits = from.hits();
   light.luminance = [&](std::size_t pixel) { return pixels.luminance(pixel); };
   light.difference = [&](std::size_t pixel) { return pixels.difference(pixel); };
   light.rgb = [&](std::size_t pixel) {

@@ -177,6 +177,8 @@ std::array<double, 3> colourErrors(const SkyMeans& sky, const SkySmoother& smoot
 }  // namespace
 
 void requireSamePicture(const TallyInfo& a, const TallyInfo& b) {
+  if (a.camera.width != b.camera.width || a.camera.height != b.camera.height)
+    throw std::invalid_argument("their resolutions differ");
   if (a.camera != b.camera) throw std::invalid_argument("their cameras differ");
   if (a.sunElevation != b.sunElevation || a.sunDiameter != b.sunDiameter || a.white != b.white)
     throw std::invalid_argument("their suns differ");
@@ -192,7 +194,8 @@ bool shareRays(const TallyInfo& a, const TallyInfo& b) {
 
 void requireReferencePair(const TallyInfo& a, const TallyInfo& b) {
   requireSamePicture(a, b);
-  if (shareRays(a, b)) throw std::invalid_argument("they hold the same rays of the same seed");
+  if (shareRays(a, b))
+    throw std::invalid_argument("they hold the same rays of the same seed, trace one with another seed");
 }
 
 Comparison compare(const Image& image, const Tally& a, const Tally* b) {
@@ -206,9 +209,10 @@ Comparison compare(const Image& image, const Tally& a, const Tally* b) {
 
   Comparison result;
   result.energyError = 2.0 * by.e / (by.a + by.b) - 1.0;
-  result.negativePixels = sky.mean([&](std::size_t i) { return planes.e[i] < 0.0 ? 1.0 : 0.0; });
 
   divide(planes, by);
+  constexpr double kDust = 1e-9;  // of the mean: rounding
+  result.negativePixels = sky.mean([&](std::size_t i) { return planes.e[i] < -kDust ? 1.0 : 0.0; });
   const SkySmoother smooth(sky, kSmoothing);
   const Estimate relative = relativeError(sky, planes, referenceSquare(smooth, planes));
   result.relMse = relative.value;
@@ -216,7 +220,7 @@ Comparison compare(const Image& image, const Tally& a, const Tally* b) {
   result.mse = sky.mean([&](std::size_t i) { return (planes.e[i] - planes.a[i]) * (planes.e[i] - planes.b[i]); });
   result.logMse = logError(sky, planes);
   result.ssim = structuralSimilarity(sky, planes);
-  if (b != nullptr) result.relMseRgb = colourErrors(sky, smooth, image, a, *b, by);
+  if (b != nullptr && a.colours() > 1) result.relMseRgb = colourErrors(sky, smooth, image, a, *b, by);
   return result;
 }
 

@@ -29,7 +29,7 @@ struct Comparison {
   double negativePixels = 0.0;  // share of the sky where the luminance of e is negative
   /// As relMse, for each of the channels R, G, B over the same (R^2 + G^2 + B^2)/3 + 0.01 of the smoothed reference:
   /// one channel alone passes through 0 where colours leave the gamut. Divided by the mean luminance, too: a cast over
-  /// the whole sky counts. Of a pair only.
+  /// the whole sky counts. Of a pair with colour only.
   std::optional<std::array<double, 3>> relMseRgb;
 
   /// Mean of relMseRgb; 0 without.

@@ -27,22 +27,25 @@ ReconstructedSky byMethod(const Tally& tally, const Settings& settings, const Wa
 }  // namespace
 
 ReconstructedSky reconstruct(const Tally& tally, const ReconSettings& settings, const Watch& watch) {
-  return std::visit(
-      Overloaded{
-          [&](const AdaptiveSettings&) {
-            return ReconstructedSky{adaptiveRadiance(tally, watch), {}};
-          },
-          [&](const NoSettings&) {
-            return ReconstructedSky{plainRadiance(tally), {}};
-          },
-          [&](const GaussianSettings& own) { return byMethod(tally, own, watch, gaussian); },
-          [&](const GlassnerSettings& own) { return byMethod(tally, own, watch, glassner); },
-          [&](const MarvastiSettings& own) { return byMethod(tally, own, watch, marvasti); },
-          [&](const VoronoiSettings& own) { return byMethod(tally, own, watch, voronoi); },
-          [&](const ActSettings& own) { return byMethod(tally, own, watch, act); },
-          [&](const GonzatoMarchandSettings& own) { return byMethod(tally, own, watch, gonzatoMarchand); },
-      },
-      settings);
+  ReconstructedSky sky =
+      std::visit(Overloaded{
+                     [&](const AdaptiveSettings&) {
+                       return ReconstructedSky{adaptiveRadiance(tally, watch), {}};
+                     },
+                     [&](const NoSettings&) {
+                       return ReconstructedSky{plainRadiance(tally), {}};
+                     },
+                     [&](const GaussianSettings& own) { return byMethod(tally, own, watch, gaussian); },
+                     [&](const GlassnerSettings& own) { return byMethod(tally, own, watch, glassner); },
+                     [&](const MarvastiSettings& own) { return byMethod(tally, own, watch, marvasti); },
+                     [&](const VoronoiSettings& own) { return byMethod(tally, own, watch, voronoi); },
+                     [&](const ActSettings& own) { return byMethod(tally, own, watch, act); },
+                     [&](const GonzatoMarchandSettings& own) { return byMethod(tally, own, watch, gonzatoMarchand); },
+                 },
+                 settings);
+  if (SkyLight(tally).hitsPerLight() <= 0.0) sky.remarks.push_back("no light in the sky: the picture is black");
+  watch.at(1.0);
+  return sky;
 }
 
 }  // namespace parhelion

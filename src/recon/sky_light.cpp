@@ -95,6 +95,7 @@ Image SkyLight::develop(const std::vector<Grid<double>>& lights) const {
     return lights.size() < 4 ? Vec3(lights[0][i]) : toRgb * Vec3(lights[2][i], lights[0][i], lights[3][i]);
   };
   light.hitsPerPixel = [&](std::size_t i) { return lights[0][i] * solidAngles_[i] / meanSolidAngle_; };
+  light.hits = hits();
   const double perHit = 1.0 / (hitsPerLight_ * tally_.info.interceptedLight() * meanSolidAngle_);
   return developed(tally_.width(), tally_.height(), light, perHit);
 }
@@ -113,7 +114,8 @@ Image developed(int width, int height, const FilteredLight& light, double scale)
       const float hits = static_cast<float>(std::max(light.hitsPerPixel(i), 0.0));
       const double sigma = std::sqrt(static_cast<double>(kernelVariance(kHitsPerWindow, hits)));
       const int radius = static_cast<int>(std::clamp(2.0 * sigma, 4.0, 1e5));
-      image.channels[3].samples[i] = static_cast<float>(luminance * luminance * variance.at(x, y, radius));
+      const double relative = std::max(variance.at(x, y, radius), 1.0 / light.hits);
+      image.channels[3].samples[i] = static_cast<float>(luminance * luminance * relative);
     }
   });
   return image;

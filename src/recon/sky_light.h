@@ -54,10 +54,11 @@ struct FilteredLight {
   std::function<double(std::size_t)> luminance, difference;
   std::function<Vec3(std::size_t)> rgb;
   std::function<double(std::size_t)> hitsPerPixel;  // decides how wide the noise is averaged
+  double hits = 0.0;                                // of all the sky, effective
 };
 
 /// The image of filtered light: `scale` turns its unit into 1/sr. The variance is the mean square of the halves'
-/// difference over windows somewhat wider than kernels, relative to the luminance's.
+/// difference over windows somewhat wider than kernels, relative to the luminance's; at least that of all the light.
 Image developed(int width, int height, const FilteredLight& light, double scale);
 
 /// R, G, B and the variance of the luminance, all 0.

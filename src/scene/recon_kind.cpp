@@ -108,6 +108,8 @@ bool Recon::read(const Value& in, ReconSettings& out) const {
   reader.rejectUnknown();
   if (reader.rejected("method")) return false;  // which keys it may have depends on it
   rejectKeysOfOthers(reader, keys.method);
+  if (keys.method == ReconMethod::act && keys.iterations == 0)
+    reader.reject("iterations", "the method \"act\" needs at least 1 iteration: it starts from an even grey");
   out = settingsOf(keys);
   return true;
 }

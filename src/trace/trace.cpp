@@ -68,7 +68,9 @@ TraceReport traceRays(const Cloud& cloud, const TraceSettings& settings, std::ui
   if (firstRay % bundleSize != 0) throw std::invalid_argument("a run must start with the first ray of a bundle");
   const Engines engines = makeEngines(cloud, settings.engine);
   // TBB keeps to the number of processors unless it is told that more threads are wanted.
-  const int threads = control.threads > 0 ? control.threads : tbb::this_task_arena::max_concurrency();
+  // Beyond four a processor they would only get into each other's way.
+  const int processors = tbb::this_task_arena::max_concurrency();
+  const int threads = control.threads > 0 ? std::min(control.threads, 4 * processors) : processors;
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
   tbb::task_arena arena(threads);
   tbb::enumerable_thread_specific<Worker> workers([&] { return Worker{tally.forThread(), {}, {}}; });

@@ -207,9 +207,11 @@ TEST_CASE("references of other pictures, of the same rays or without light are r
     return compare(sky, a, &b);
   };
   TallyInfo other = info;
-  CHECK_THROWS_WITH_AS(compareWith(other), "they hold the same rays of the same seed", std::invalid_argument);
+  CHECK_THROWS_WITH_AS(compareWith(other), "they hold the same rays of the same seed, trace one with another seed",
+                       std::invalid_argument);
   other.rays = {{999'999, 10}};  // one ray is in both
-  CHECK_THROWS_WITH_AS(compareWith(other), "they hold the same rays of the same seed", std::invalid_argument);
+  CHECK_THROWS_WITH_AS(compareWith(other), "they hold the same rays of the same seed, trace one with another seed",
+                       std::invalid_argument);
   other.rays = {{1'000'000, 10}};
   CHECK_NOTHROW(compareWith(other));
   other = info;
