@@ -26,10 +26,11 @@ constexpr int kMostEncounters = 1'000'000;
 // this is none of any halo's.
 constexpr double kSameDirection = 1e-8;
 
-/// Walks one path through its crystal, encounter by encounter.
+/// Walks one path through its crystal, encounter by encounter. A template, so that the engine is chosen once a path.
+template <class FaceFinder>
 class Walk {
  public:
-  Walk(const EmbreeIntersector& engine, const TraceSettings& settings, LightPath& path)
+  Walk(const FaceFinder& engine, const TraceSettings& settings, LightPath& path)
       : engine_(engine),
         ray_(path.incident),
         path_(path),
@@ -102,7 +103,7 @@ class Walk {
     path_.exits.push_back({glm::normalize(ray_.crystalToWorld * leavingDir), energy, order_, undeviated});
   }
 
-  const EmbreeIntersector& engine_;
+  const FaceFinder& engine_;
   const IncidentRay& ray_;
   LightPath& path_;
   double splitAbove_;
@@ -116,12 +117,12 @@ class Walk {
 
 }  // namespace
 
-void followLight(const EmbreeIntersector& engine, const TraceSettings& settings, LightPath& path) {
+void followLight(const Intersector& engine, const TraceSettings& settings, LightPath& path) {
   path.exits.clear();
   path.encounters.clear();
   path.internalPath = path.cutOff = path.lost = 0.0;
   path.hits = path.rescued = 0;
-  Walk(engine, settings, path).run();
+  std::visit([&](const auto& chosen) { Walk(chosen, settings, path).run(); }, engine);
 }
 
 void followRay(const Cloud& cloud, const Engines& engines, const TraceSettings& settings, std::uint64_t index,
