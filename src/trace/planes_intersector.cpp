@@ -2,6 +2,7 @@
 #include "trace/planes_intersector.h"
 
 #include <stdexcept>
+#include <vector>
 
 namespace parhelion {
 
@@ -9,18 +10,31 @@ PlanesIntersector::PlanesIntersector(const CrystalMesh& mesh) {
   if (!mesh.isConvex()) throw std::invalid_argument("the crystal must be convex");
   const auto& faces = mesh.faces();
   std::vector<bool> taken(faces.size());
+  int slabs = 0;
   for (int face = 0; face < static_cast<int>(faces.size()); ++face) {
     if (taken[face]) continue;
-    const Face& front = faces[face];
-    Slab slab{front.normal, {front.offset, kNowhere}, {face, kNoFace}, front.normal.z != 0.0};
+    const Vec3& normal = faces[face].normal;
+    double backOffset = kNowhere;
+    int back = kNoFace;
     for (int other = face + 1; other < static_cast<int>(faces.size()); ++other)
-      if (faces[other].normal == -front.normal) {
-        slab.offset[1] = faces[other].offset;
-        slab.face[1] = other;
+      if (faces[other].normal == -normal) {
+        backOffset = faces[other].offset;
+        back = other;
         taken[other] = true;
       }
-    slabs_[count_++] = slab;
+
+    Slabs& s = slabs_[slabs / kLanes];
+    const int k = slabs++ % kLanes;
+    s.x[k] = normal.x;
+    s.y[k] = normal.y;
+    s.z[k] = normal.z;
+    s.frontOffset[k] = faces[face].offset;
+    s.backOffset[k] = backOffset;
+    (normal.z == 0.0 ? s.fixed : s.grows)[k] = 1.0;
+    s.front[k] = face;
+    s.back[k] = back;
   }
+  count_ = (slabs + kLanes - 1) / kLanes;
 }
 
 }  // namespace parhelion
