@@ -10,23 +10,18 @@ namespace parhelion {
 
 namespace {
 
-double shadowOf(const Crystal& crystal, int face, const Vec3& lightDir) {
-  const double cosine = -glm::dot(crystal.mesh->faces()[face].normal, lightDir);
-  return cosine > 0.0 ? cosine * crystal.area(face) : 0.0;
-}
-
 /// A uniform point of a convex face: pick a triangle of its fan by area, then a point in the triangle.
 Vec3 pointOnFace(const CrystalMesh& mesh, const Face& face, double u1, double u2) {
   const Vec3 a = mesh.vertices()[face.vertices[0]];
   double left = u1 * face.area;
-  const int triangles = static_cast<int>(face.vertices.size()) - 2;
+  const int triangles = static_cast<int>(face.fan.size());
   for (int i = 0; i < triangles; ++i) {
-    const Vec3 ab = mesh.vertices()[face.vertices[i + 1]] - a, ac = mesh.vertices()[face.vertices[i + 2]] - a;
-    const double area = 0.5 * glm::length(glm::cross(ab, ac));
+    const double area = face.fan[i];
     if (left > area && i + 1 < triangles) {
       left -= area;
       continue;
     }
+    const Vec3 ab = mesh.vertices()[face.vertices[i + 1]] - a, ac = mesh.vertices()[face.vertices[i + 2]] - a;
     // What is left of u1 is uniform again; the square root makes the triangle uniform.
     const double s = std::sqrt(std::min(1.0, left / area));
     return a + (s * (1.0 - u2)) * ab + (s * u2) * ac;
@@ -36,25 +31,33 @@ Vec3 pointOnFace(const CrystalMesh& mesh, const Face& face, double u1, double u2
 
 }  // namespace
 
-double Crystal::surface() const {
-  double sum = 0.0;
-  for (int face = 0; face < static_cast<int>(mesh->faces().size()); ++face) sum += area(face);
-  return sum;
+Shadows shadowsOf(const Crystal& crystal, const Vec3& lightDirCrystal) {
+  Shadows shadows;
+  shadows.total = 0.0;
+  const auto& faces = crystal.mesh->faces();
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    const double cosine = -glm::dot(faces[i].normal, lightDirCrystal);
+    const double shadow = std::max(0.0, cosine) * crystal.area(static_cast<int>(i));
+    shadows.face[i] = shadow;
+    shadows.total += shadow;
+  }
+  return shadows;
 }
 
 double projectedArea(const Crystal& crystal, const Vec3& lightDirCrystal) {
-  double sum = 0.0;
-  for (int face = 0; face < static_cast<int>(crystal.mesh->faces().size()); ++face)
-    sum += shadowOf(crystal, face, lightDirCrystal);
-  return sum;
+  return shadowsOf(crystal, lightDirCrystal).total;
 }
 
 EntryPoint sampleEntry(const Crystal& crystal, const Vec3& lightDirCrystal, double u1, double u2, double u3) {
+  return sampleEntry(crystal, shadowsOf(crystal, lightDirCrystal), u1, u2, u3);
+}
+
+EntryPoint sampleEntry(const Crystal& crystal, const Shadows& shadows, double u1, double u2, double u3) {
   const int faces = static_cast<int>(crystal.mesh->faces().size());
-  double left = u1 * projectedArea(crystal, lightDirCrystal);
+  double left = u1 * shadows.total;
   int lit = 0;
   for (int face = 0; face < faces; ++face) {
-    const double shadow = shadowOf(crystal, face, lightDirCrystal);
+    const double shadow = shadows.face[face];
     if (shadow == 0.0) continue;
     lit = face;
     if (left < shadow) break;

@@ -36,6 +36,7 @@ CrystalMesh::CrystalMesh(std::vector<Vec3> vertices, const std::vector<FaceOutli
 
   for (const Face& face : faces_) {
     surface_ += face.area;
+    (face.normal.z == 0.0 ? surfaceAlongC_ : surfaceAcrossC_) += face.area;
     volume_ += face.area * face.offset / 3.0;
     for (const Vec3& v : vertices_) convex_ &= glm::dot(face.normal, v) <= face.offset + kPlanarity * radius_;
     const double alongC = std::abs(face.normal.z);
@@ -53,8 +54,12 @@ Face CrystalMesh::makeFace(const FaceOutline& outline) const {
   // Twice the area vector, from the first vertex so that a small face far from the origin keeps its digits.
   const Vec3 origin = vertices_[ring[0]];
   Vec3 area(0.0);
-  for (std::size_t i = 1; i + 1 < ring.size(); ++i)
-    area += glm::cross(vertices_[ring[i]] - origin, vertices_[ring[i + 1]] - origin);
+  std::vector<double> fan;
+  for (std::size_t i = 1; i + 1 < ring.size(); ++i) {
+    const Vec3 triangle = glm::cross(vertices_[ring[i]] - origin, vertices_[ring[i + 1]] - origin);
+    area += triangle;
+    fan.push_back(0.5 * glm::length(triangle));
+  }
   const double length = glm::length(area);
   if (!(length > 0.0)) reject(outline.number, "has no area");
 
@@ -70,7 +75,7 @@ Face CrystalMesh::makeFace(const FaceOutline& outline) const {
     if (std::abs(glm::dot(normal, a) - offset) > kPlanarity * radius_) reject(outline.number, "is not planar");
     if (glm::dot(glm::cross(b - a, c - b), normal) < 0.0) reject(outline.number, "is not convex");
   }
-  return {outline.number, ring, normal, offset, 0.5 * length};
+  return {outline.number, ring, normal, offset, 0.5 * length, std::move(fan)};
 }
 
 void CrystalMesh::checkClosed() const {

@@ -17,6 +17,7 @@ struct Face {
   Vec3 normal;                // unit
   double offset;              // normal . point, for points of the face
   double area;
+  std::vector<double> fan;  // areas of the triangles of vertices 0, i + 1, i + 2
 };
 
 struct FaceOutline {
@@ -37,6 +38,10 @@ class CrystalMesh {
   double surface() const { return surface_; }
   double volume() const { return volume_; }
 
+  /// The surface in two parts: of the faces parallel to c, and of all others.
+  double surfaceAlongC() const { return surfaceAlongC_; }
+  double surfaceAcrossC() const { return surfaceAcrossC_; }
+
   /// True when no vertex lies outside any face's plane.
   bool isConvex() const { return convex_; }
 
@@ -52,7 +57,7 @@ class CrystalMesh {
 
   std::vector<Vec3> vertices_;
   std::vector<Face> faces_;
-  double surface_ = 0.0, volume_ = 0.0, radius_ = 0.0;
+  double surface_ = 0.0, surfaceAlongC_ = 0.0, surfaceAcrossC_ = 0.0, volume_ = 0.0, radius_ = 0.0;
   bool convex_ = true, prismatic_ = true;
 };
 

@@ -11,6 +11,7 @@
 #include "math/overloaded.h"
 #include "math/portable.h"
 #include "math/rotation.h"
+#include "math/turn.h"
 
 namespace parhelion {
 
@@ -54,6 +55,8 @@ std::optional<Bell> bellOf(const AngleDistribution& distribution, ValueSampler::
 
 ValueSampler::ValueSampler(const AngleDistribution& distribution, Measure measure, double lowest, double highest)
     : distribution_(distribution) {
+  const auto* range = std::get_if<UniformRange>(&distribution);
+  fullTurn_ = range && range->from == 0.0 && range->to == 2.0 * kPi;
   const auto bell = bellOf(distribution, measure);
   if (!bell) return;
   const double lo = std::max(lowest, bell->mean - bell->reach), hi = std::min(highest, bell->mean + bell->reach);
@@ -68,6 +71,10 @@ double ValueSampler::sample(double u) const {
                                [u](const Arcsine& d) { return d.mean + d.amplitude * portable::sin(kPi * (u - 0.5)); },
                                [](const auto& d) { return d.mean; }},
                     distribution_);
+}
+
+portable::SinCos ValueSampler::sincos(double u) const {
+  return fullTurn_ ? portable::sincosOfTurn(u) : portable::sincos(sample(u));
 }
 
 double ValueSampler::density(double x) const {
@@ -104,22 +111,22 @@ OrientationSampler::Kind OrientationSampler::build(const OrientationSettings& se
 }
 
 Mat3 OrientationSampler::sample(double u1, double u2, double u3) const {
-  return std::visit(Overloaded{[&](const Random&) {
-                                 // The cosine of the zenith angle is uniform; this sine is exact near both poles.
-                                 const portable::SinCos zenith{2.0 * std::sqrt(u1 * (1.0 - u1)), 1.0 - 2.0 * u1};
-                                 return crystalOrientation(zenith, 2.0 * kPi * u2, 2.0 * kPi * u3);
-                               },
-                               [&](const Axis& axis) {
-                                 // Angles beyond the poles fold back by themselves: the rotation formula takes any
-                                 // angle.
-                                 return crystalOrientation(axis.zenith.sample(u1), axis.azimuth.sample(u2),
-                                                           axis.roll.sample(u3));
-                               },
-                               [&](const Lowitz& lowitz) {
-                                 const double tilt = 0.5 * kPi - lowitz.axisZenith.sample(u1);
-                                 return rotationZ(2.0 * kPi * u2) * rotationX(tilt) * rotationY(lowitz.spin.sample(u3));
-                               }},
-                    kind_);
+  return std::visit(
+      Overloaded{[&](const Random&) {
+                   // The cosine of the zenith angle is uniform; this sine is exact near both poles.
+                   const portable::SinCos zenith{2.0 * std::sqrt(u1 * (1.0 - u1)), 1.0 - 2.0 * u1};
+                   return crystalOrientation(zenith, portable::sincosOfTurn(u2), portable::sincosOfTurn(u3));
+                 },
+                 [&](const Axis& axis) {
+                   // Angles beyond the poles fold back by themselves: the rotation formula takes any
+                   // angle.
+                   return crystalOrientation(axis.zenith.sincos(u1), axis.azimuth.sincos(u2), axis.roll.sincos(u3));
+                 },
+                 [&](const Lowitz& lowitz) {
+                   const double tilt = 0.5 * kPi - lowitz.axisZenith.sample(u1);
+                   return rotationZ(2.0 * kPi * u2) * rotationX(tilt) * rotationY(lowitz.spin.sample(u3));
+                 }},
+      kind_);
 }
 
 }  // namespace parhelion

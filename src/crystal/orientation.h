@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "crystal/population_settings.h"
+#include "math/portable.h"
 #include "math/tabulated_density.h"
 
 namespace parhelion {
@@ -20,11 +21,15 @@ class ValueSampler {
 
   double sample(double u) const;
 
+  /// Sine and cosine of sample(u).
+  portable::SinCos sincos(double u) const;
+
   /// Probability per unit of the value, before any folding. Infinite where a fixed value sits.
   double density(double x) const;
 
  private:
   AngleDistribution distribution_;
+  bool fullTurn_ = false;                          // uniform from 0 to 2 pi
   std::shared_ptr<const TabulatedDensity> table_;  // Normal, PolarNormal and Laplace of non-zero width
 };
 

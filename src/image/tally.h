@@ -69,15 +69,18 @@ class Tally {
   /// `firstHalf` marks rays of even index: the two halves are independent estimates of the same picture.
   /// A ray that deposits into one pixel more than once should add its light up before, else the squares fall short.
   void add(int pixel, const Vec3& xyz, bool firstHalf) {
-    const std::size_t base = static_cast<std::size_t>(pixel) * stride_;
-    addTo(base, toFixed(xyz.y));
-    addTo(base + kSquares, toFixed(xyz.y * xyz.y, kSquareScale));
-    addTo(base + kHits, 1);
-    if (firstHalf) addTo(base + kFirstHalf, toFixed(xyz.y));
-    if (colours_ == 1) return;
-    addTo(base + kX, toFixed(xyz.x * perWhite_.x));
-    addTo(base + kZ, toFixed(xyz.z * perWhite_.z));
+    deposit(pixel, xyz, firstHalf, [](std::int64_t& sum, std::int64_t amount) {
+      std::atomic_ref<std::int64_t>(sum).fetch_add(amount, std::memory_order_relaxed);
+    });
   }
+
+  /// The same, several times faster, for a caller who sees to it that nobody else adds to the pixel at the time.
+  void addExclusively(int pixel, const Vec3& xyz, bool firstHalf) {
+    deposit(pixel, xyz, firstHalf, [](std::int64_t& sum, std::int64_t amount) { sum += amount; });
+  }
+
+  /// Tells the processor to fetch a pixel that will be added to soon.
+  void prefetch(int pixel) const { __builtin_prefetch(&at(static_cast<std::size_t>(pixel) * stride_), 1); }
 
   /// Light of a pixel in CIE XYZ; with one colour, that luminance in the sun's white.
   Vec3 xyz(int pixel) const;
@@ -118,8 +121,18 @@ class Tally {
 
   std::int64_t& at(std::size_t i) { return lines_[i / 8].place[i % 8]; }
   const std::int64_t& at(std::size_t i) const { return lines_[i / 8].place[i % 8]; }
-  void addTo(std::size_t i, std::int64_t amount) {
-    std::atomic_ref<std::int64_t>(at(i)).fetch_add(amount, std::memory_order_relaxed);
+
+  template <class AddTo>
+  void deposit(int pixel, const Vec3& xyz, bool firstHalf, AddTo addTo) {
+    std::int64_t* sums = &at(static_cast<std::size_t>(pixel) * stride_);
+    const std::int64_t luminance = toFixed(xyz.y);
+    addTo(sums[kY], luminance);
+    addTo(sums[kSquares], toFixed(xyz.y * xyz.y, kSquareScale));
+    addTo(sums[kHits], 1);
+    if (firstHalf) addTo(sums[kFirstHalf], luminance);
+    if (colours_ == 1) return;
+    addTo(sums[kX], toFixed(xyz.x * perWhite_.x));
+    addTo(sums[kZ], toFixed(xyz.z * perWhite_.z));
   }
 
   int width_, height_, colours_;

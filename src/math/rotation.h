@@ -30,8 +30,8 @@ Mat3 rotationZ(double angle);
 /// axis.
 Mat3 crystalOrientation(double zenith, double azimuth, double roll);
 
-/// The same from sine and cosine of the zenith angle, for those who have them already.
-Mat3 crystalOrientation(const portable::SinCos& zenith, double azimuth, double roll);
+/// The same from sines and cosines, for those who have them already.
+Mat3 crystalOrientation(const portable::SinCos& zenith, const portable::SinCos& azimuth, const portable::SinCos& roll);
 
 /// A right-handed orthonormal frame as matrix columns (x, y, `axis`); `axis` is a unit vector.
 Mat3 frameAround(const Vec3& axis);

@@ -9,12 +9,15 @@
 namespace parhelion {
 
 double iceIndex(double wavelength) {
-  const auto above = std::upper_bound(kIceIndex.begin(), kIceIndex.end(), wavelength,
-                                      [](double w, const IceNode& node) { return w < node.wavelength; });
-  if (above == kIceIndex.begin()) return kIceIndex.front().index;
-  if (above == kIceIndex.end()) return kIceIndex.back().index;
-  const IceNode& a = *(above - 1);
-  const IceNode& b = *above;
+  if (!(wavelength > kIceIndex.front().wavelength)) return kIceIndex.front().index;
+  if (!(wavelength < kIceIndex.back().wavelength)) return kIceIndex.back().index;
+  // In visible light the table has a node every 10 nm from its second one on, so the first guess is right.
+  const double guess = (wavelength - kIceIndex[1].wavelength) / 10.0 + 1.0;
+  auto below = static_cast<std::size_t>(std::clamp(guess, 0.0, static_cast<double>(kIceIndex.size() - 2)));
+  while (kIceIndex[below].wavelength > wavelength) --below;
+  while (kIceIndex[below + 1].wavelength <= wavelength) ++below;
+  const IceNode& a = kIceIndex[below];
+  const IceNode& b = kIceIndex[below + 1];
   return a.index + (wavelength - a.wavelength) / (b.wavelength - a.wavelength) * (b.index - a.index);
 }
 

@@ -5,6 +5,7 @@
 
 #include "math/portable.h"
 #include "math/rotation.h"
+#include "math/turn.h"
 
 namespace parhelion {
 
@@ -17,7 +18,8 @@ double limbDarkening(double r) {
 Sun::Sun(const SunSettings& settings)
     : toCentre_(skyDirection(0.0, settings.elevation)),
       frame_(frameAround(toCentre_)),
-      angularRadius_(0.5 * settings.diameter) {
+      angularRadius_(0.5 * settings.diameter),
+      sinRadius_(portable::sin(angularRadius_)) {
   constexpr int kCells = 1024;  // of the disc's radius
   if (angularRadius_ > 0.0) radius_.emplace([](double r) { return r * limbDarkening(r); }, 0.0, 1.0, kCells);
 }
@@ -25,19 +27,18 @@ Sun::Sun(const SunSettings& settings)
 Vec3 Sun::toPoint(double u1, double u2) const {
   if (!radius_) return toCentre_;
   // The disc is flat: r is the sine of the angle from the centre over the sine of the angular radius.
-  const double sinAngle = radius_->sample(u1) * portable::sin(angularRadius_);
-  const auto [s, c] = portable::sincos(2.0 * kPi * u2);
+  const double sinAngle = radius_->sample(u1) * sinRadius_;
+  const auto [s, c] = portable::sincosOfTurn(u2);
   return frame_ * Vec3(sinAngle * c, sinAngle * s, std::sqrt(1.0 - sinAngle * sinAngle));
 }
 
 double Sun::radiance(double angle) const {
   if (!radius_) return 0.0;
-  const double sinRadius = portable::sin(angularRadius_);
-  const double r = portable::sin(angle) / sinRadius;
+  const double r = portable::sin(angle) / sinRadius_;
   if (angle > 0.5 * kPi || r > 1.0) return 0.0;
-  // d(solid angle) = sin da dphi = (sinRadius^2 r / cos) dr dphi, and the table's integral is that of r *
+  // d(solid angle) = sin da dphi = (sinRadius_^2 r / cos) dr dphi, and the table's integral is that of r *
   // limbDarkening.
-  return limbDarkening(r) * portable::cos(angle) / (2.0 * kPi * sinRadius * sinRadius * radius_->integral());
+  return limbDarkening(r) * portable::cos(angle) / (2.0 * kPi * sinRadius_ * sinRadius_ * radius_->integral());
 }
 
 }  // namespace parhelion

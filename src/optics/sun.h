@@ -36,7 +36,7 @@ class Sun {
  private:
   Vec3 toCentre_;
   Mat3 frame_;
-  double angularRadius_;
+  double angularRadius_, sinRadius_;
   std::optional<TabulatedDensity> radius_;  // of r / disc radius
 };
 

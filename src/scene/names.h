@@ -28,6 +28,8 @@ enum class ReconMethod { adaptive, none, gaussian, glassner, marvasti, voronoi, 
 inline constexpr auto kEngineNames = std::to_array<Named<Engine>>({
     {"embree", Engine::embree},
     {"embree-robust", Engine::embreeRobust},
+    {"planes", Engine::planes},
+    {"auto", Engine::automatic},
 });
 inline constexpr auto kPathModeNames = std::to_array<Named<PathMode>>({
     {"split", PathMode::split},

@@ -56,8 +56,8 @@ Cloud::Proposal Cloud::propose(int population, RandomStream& random) const {
     p.lightDirWorld = -sun_.toPoint(v1, v2);
   }
   p.lightDirCrystal = glm::transpose(p.crystalToWorld) * p.lightDirWorld;
-  p.area = projectedArea(p.crystal, p.lightDirCrystal);
-  p.interception = p.area / p.crystal.surface();
+  p.shadows = shadowsOf(p.crystal, p.lightDirCrystal);
+  p.interception = p.shadows.total / p.crystal.surface();
   return p;
 }
 
@@ -83,22 +83,32 @@ IncidentRay Cloud::incidentRay(std::uint64_t seed, std::uint64_t index) const {
     ray.crystalToWorld = p.crystalToWorld;
     ray.lightDirWorld = p.lightDirWorld;
     ray.lightDirCrystal = p.lightDirCrystal;
-    ray.projectedArea = p.area;
+    ray.projectedArea = p.shadows.total;
     const double v1 = random.next(), v2 = random.next(), v3 = random.next();
-    ray.entry = sampleEntry(p.crystal, p.lightDirCrystal, v1, v2, v3);
+    ray.entry = sampleEntry(p.crystal, p.shadows, v1, v2, v3);
     ray.weight = std::max(1.0, ratio);
-    return sibling(ray, seed, index);
+    setWavelength(ray, seed, index);
+    return ray;
   }
 }
 
 IncidentRay Cloud::sibling(const IncidentRay& ray, std::uint64_t seed, std::uint64_t index) const {
+  IncidentRay other = ray;
+  setWavelength(other, seed, index);
+  return other;
+}
+
+void Cloud::setWavelength(IncidentRay& ray, std::uint64_t seed, std::uint64_t index) const {
+  ray.index = index;
+  if (bundleSize() == 1) {
+    ray.light = spectrum_.lines().front();
+    ray.iceIndex = refractiveIndex(ice_, ray.light.wavelength, ray.bundle);
+    return;
+  }
   // The wavelengths of a bundle stand at equal distances in the spectrum, from a start that differs between bundles.
   const auto member = static_cast<double>(index % bundleSize());
-  IncidentRay other = ray;
-  other.index = index;
-  other.light = spectrum_.sample((member + goldenQuantile(seed, ray.bundle)) / bundleSize());
-  other.iceIndex = refractiveIndex(ice_, other.light.wavelength, ray.bundle);
-  return other;
+  ray.light = spectrum_.sample((member + goldenQuantile(seed, ray.bundle)) / bundleSize());
+  ray.iceIndex = refractiveIndex(ice_, ray.light.wavelength, ray.bundle);
 }
 
 }  // namespace parhelion

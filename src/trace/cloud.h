@@ -55,9 +55,10 @@ class Cloud {
     Crystal crystal;
     Mat3 crystalToWorld;
     Vec3 lightDirWorld, lightDirCrystal;
-    double area;
+    Shadows shadows;
     double interception;  // area / surface: light intercepted per unit of surface
   };
+  void setWavelength(IncidentRay& ray, std::uint64_t seed, std::uint64_t index) const;
   Proposal propose(int population, RandomStream& random) const;
 
   Sun sun_;

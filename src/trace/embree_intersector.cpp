@@ -133,7 +133,7 @@ std::optional<FaceHit> EmbreeIntersector::nextFace(const Crystal& crystal, const
     const double approach = glm::dot(normal, lightDir);
     // In single precision a ray along an edge may meet a face from outside; such a hit is no way out.
     if (approach > 0.0)
-      return FaceHit{face, std::max(0.0, (crystal.offset(face) - glm::dot(normal, point)) / approach), false};
+      return FaceHit{face, std::max(0.0, (crystal.offset(face) - glm::dot(normal, point)) / approach), approach, false};
   }
   auto hit = nextFaceByPlanes(crystal, point, lightDir, leftFace);
   if (hit) hit->rescued = true;

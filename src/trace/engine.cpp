@@ -4,10 +4,18 @@
 namespace parhelion {
 
 Engines makeEngines(const Cloud& cloud, Engine engine) {
-  const EmbreeDevice device;
   const EmbreeMode mode = engine == Engine::embreeRobust ? EmbreeMode::robust : EmbreeMode::fast;
+  std::optional<EmbreeDevice> device;
   Engines engines;
-  for (const Population& population : cloud.populations()) engines.emplace_back(device, population.mesh(), mode);
+  for (const Population& population : cloud.populations()) {
+    const CrystalMesh& mesh = population.mesh();
+    if (engine == Engine::planes || (engine == Engine::automatic && mesh.isConvex())) {
+      engines.emplace_back(PlanesIntersector(mesh));
+      continue;
+    }
+    if (!device) device.emplace();
+    engines.emplace_back(EmbreeIntersector(*device, mesh, mode));
+  }
   return engines;
 }
 

@@ -15,7 +15,7 @@ std::optional<FaceHit> nextFaceByPlanes(const Crystal& crystal, const Vec3& poin
     if (face == leftFace || !(approach > 0.0)) continue;
     // A point that rounding has put just outside a plane leaves through it at once.
     const double distance = std::max(0.0, (crystal.offset(face) - glm::dot(faces[face].normal, point)) / approach);
-    if (!nearest || distance < nearest->distance) nearest = FaceHit{face, distance, false};
+    if (!nearest || distance < nearest->distance) nearest = FaceHit{face, distance, approach, false};
   }
   return nearest;
 }

@@ -11,6 +11,7 @@ namespace parhelion {
 struct FaceHit {
   int face;         // index into the mesh's faces
   double distance;  // along the ray's direction, >= 0, crystal units
+  double cosine;    // of the ray's direction and the face's outward normal, > 0
   bool rescued;     // the engine found no face and the planes decided instead
 };
 

@@ -26,15 +26,26 @@ constexpr int kMostEncounters = 1'000'000;
 // this is none of any halo's.
 constexpr double kSameDirection = 1e-8;
 
-/// Walks one path through its crystal, encounter by encounter.
+// Reflections keep a direction's length but for rounding; so many in a row put it off by less than 1e-14.
+constexpr int kRenormalise = 16;
+
+/// A vector that rounding alone has put off its length of 1, brought back to it: one step of Newton's method for
+/// 1 / sqrt leaves the square of the error.
+Vec3 renormalised(const Vec3& v) { return v * (1.5 - 0.5 * glm::dot(v, v)); }
+
+/// Walks one path through its crystal, encounter by encounter. A template, so that the engine is chosen once a path.
+template <class FaceFinder>
 class Walk {
  public:
-  Walk(const EmbreeIntersector& engine, const TraceSettings& settings, LightPath& path)
+  Walk(const FaceFinder& engine, const TraceSettings& settings, LightPath& path)
       : engine_(engine),
         ray_(path.incident),
+        faces_(ray_.crystal.mesh->faces().data()),
         path_(path),
         splitAbove_(settings.path == PathMode::chance ? std::numeric_limits<double>::infinity() : kSplitEnergy),
-        random_(settings.seed, ray_.bundle, RandomPurpose::path) {}
+        random_(settings.seed, ray_.bundle, RandomPurpose::path),
+        into_(ray_.iceIndex),
+        outOf_(1.0 / ray_.iceIndex) {}
 
   void run() {
     energy_ = ray_.weight;
@@ -46,17 +57,39 @@ class Walk {
   }
 
  private:
-  const Vec3& normal() const { return ray_.crystal.mesh->faces()[face_].normal; }
+  const Vec3& normal() const { return faces_[face_].normal; }
+
+  /// What an interface makes of the light that meets it.
+  struct Branches {
+    double reflected = 0.0, transmitted = 0.0;  // energy
+    Vec3 reflectedDir{}, transmittedDir{};      // unit, crystal frame; only of what carries energy
+  };
+
+  /// The branches at a face of outward normal * `side` on the side the light comes from. Each carries its share of the
+  /// path's energy, or one carries all of it by chance. Either way no energy is lost, and paths end without a bias.
+  Branches meet(const Vec3& lightDir, double side, double cosTheta_i, const RelativeIndex& index) {
+    const Interface face = fresnel(cosTheta_i, index);
+    Branches branches;
+    if (energy_ >= splitAbove_)
+      branches.reflected = energy_ * face.reflectance;
+    else if (random_.next() < face.reflectance)
+      branches.reflected = energy_;
+    branches.transmitted = energy_ - branches.reflected;
+    const Vec3 towardLight = side * normal();
+    if (branches.reflected > 0.0) branches.reflectedDir = reflect(lightDir, towardLight, cosTheta_i);
+    if (branches.transmitted > 0.0)
+      branches.transmittedDir = refract(lightDir, towardLight, cosTheta_i, face.cosTheta_t, index);
+    return branches;
+  }
 
   /// The outside of the entry face: part of the light is reflected into the sky, part refracted into the crystal.
   void enter() {
     const Vec3& lightDir = ray_.lightDirCrystal;
     const double cosTheta_i = std::max(0.0, -glm::dot(normal(), lightDir));
-    const Interface face = fresnel(cosTheta_i, ray_.iceIndex);
-    const double reflected = split(face.reflectance);
-    lightDir_ = glm::normalize(refract(lightDir, normal(), cosTheta_i, face.cosTheta_t, ray_.iceIndex));
-    energy_ -= reflected;
-    leave(reflect(lightDir, normal(), cosTheta_i), reflected);
+    const Branches branches = meet(lightDir, 1.0, cosTheta_i, into_);
+    lightDir_ = renormalised(branches.transmittedDir);
+    energy_ = branches.transmitted;
+    leave(branches.reflectedDir, branches.reflected);
   }
 
   /// The next face met from inside: part of the light leaves, the rest is reflected and goes on.
@@ -72,41 +105,31 @@ class Walk {
     face_ = hit->face;
     ++order_;
 
-    const Vec3 inward = -normal();
-    const double cosTheta_i = std::max(0.0, -glm::dot(inward, lightDir_));
-    const double eta = 1.0 / ray_.iceIndex;
-    const Interface face = fresnel(cosTheta_i, eta);
-    const double leaving = energy_ - split(face.reflectance);
-    const Vec3 leavingDir = refract(lightDir_, inward, cosTheta_i, face.cosTheta_t, eta);
-    lightDir_ = glm::normalize(reflect(lightDir_, inward, cosTheta_i));
-    energy_ -= leaving;
-    leave(leavingDir, leaving);
-  }
-
-  /// How much of the path's energy an interface reflects: its share, or all or nothing by chance. Either way the path
-  /// loses no energy and ends without a bias.
-  double split(double reflectance) {
-    if (energy_ >= splitAbove_) return energy_ * reflectance;
-    return random_.next() < reflectance ? energy_ : 0.0;
+    const Branches branches = meet(lightDir_, -1.0, hit->cosine, outOf_);
+    lightDir_ = order_ % kRenormalise == 0 ? renormalised(branches.reflectedDir) : branches.reflectedDir;
+    energy_ = branches.reflected;
+    leave(branches.transmittedDir, branches.transmitted);
   }
 
   /// Counts the encounter and what leaves the crystal in it.
   void leave(const Vec3& leavingDir, double energy) {
     ++path_.hits;
     if (path_.recordEncounters)
-      path_.encounters.push_back({ray_.crystal.mesh->faces()[face_].number, point_, energy, energy_,
-                                  glm::normalize(leavingDir), lightDir_, order_});
+      path_.encounters.push_back({faces_[face_].number, point_, energy, energy_, leavingDir, lightDir_, order_});
     if (energy <= 0.0) return;
     const Vec3 change = leavingDir - ray_.lightDirCrystal;
     const bool undeviated = glm::dot(change, change) < kSameDirection * kSameDirection;
-    path_.exits.push_back({glm::normalize(ray_.crystalToWorld * leavingDir), energy, order_, undeviated});
+    path_.exits.push_back({renormalised(ray_.crystalToWorld * leavingDir), energy, order_, undeviated});
   }
 
-  const EmbreeIntersector& engine_;
+  const FaceFinder& engine_;
   const IncidentRay& ray_;
+  const Face* faces_;
   LightPath& path_;
   double splitAbove_;
   RandomStream random_;
+
+  RelativeIndex into_, outOf_;
 
   Vec3 point_{}, lightDir_{};  // crystal frame
   double energy_ = 0.0;        // still inside
@@ -116,12 +139,12 @@ class Walk {
 
 }  // namespace
 
-void followLight(const EmbreeIntersector& engine, const TraceSettings& settings, LightPath& path) {
+void followLight(const Intersector& engine, const TraceSettings& settings, LightPath& path) {
   path.exits.clear();
   path.encounters.clear();
   path.internalPath = path.cutOff = path.lost = 0.0;
   path.hits = path.rescued = 0;
-  Walk(engine, settings, path).run();
+  std::visit([&](const auto& chosen) { Walk(chosen, settings, path).run(); }, engine);
 }
 
 void followRay(const Cloud& cloud, const Engines& engines, const TraceSettings& settings, std::uint64_t index,

@@ -45,7 +45,7 @@ struct LightPath {
 /// Follows `path.incident` through its crystal until all its light has left, and fills in the rest of `path`; a pure
 /// function of its arguments. `engine` is that of the ray's crystal. The ray's weight equals the exits' energy plus
 /// cutOff plus lost, to rounding.
-void followLight(const EmbreeIntersector& engine, const TraceSettings& settings, LightPath& path);
+void followLight(const Intersector& engine, const TraceSettings& settings, LightPath& path);
 
 /// Draws ray `index` of the sequence settings.seed and follows it.
 void followRay(const Cloud& cloud, const Engines& engines, const TraceSettings& settings, std::uint64_t index,

@@ -19,8 +19,8 @@ class PathTally {
   /// An empty tally of the same kind for one thread, to be given to merge() in the end.
   virtual std::unique_ptr<PathTally> forThread() = 0;
 
-  /// Takes over what a tally made by forThread() has added up.
-  virtual void merge(const PathTally& fromThread) = 0;
+  /// Takes over what a tally made by forThread() has added up, which is of no use afterwards.
+  virtual void merge(PathTally& fromThread) = 0;
 };
 
 }  // namespace parhelion

@@ -63,7 +63,7 @@ std::unique_ptr<PathTally> ScatterProfile::forThread() {
   return std::make_unique<ScatterProfile>(bins_.size(), from_, from_ + width_ * bins_.size());
 }
 
-void ScatterProfile::merge(const PathTally& fromThread) {
+void ScatterProfile::merge(PathTally& fromThread) {
   const auto& other = dynamic_cast<const ScatterProfile&>(fromThread);
   bins_.merge(other.bins_);
   rays_ += other.rays_;

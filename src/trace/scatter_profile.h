@@ -18,7 +18,7 @@ class ScatterProfile : public PathTally {
 
   void add(std::span<const LightPath> bundle) override;
   std::unique_ptr<PathTally> forThread() override;
-  void merge(const PathTally& fromThread) override;
+  void merge(PathTally& fromThread) override;
 
   struct Bin {
     double from, to;  // rad

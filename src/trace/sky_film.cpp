@@ -16,11 +16,12 @@ void SkyFilm::add(std::span<const LightPath> bundle) {
     }
   }
   const bool firstHalf = bundle.front().incident.bundle % 2 == 0;
-  for (const auto& [pixel, xyz] : deposits_.all()) tally_.add(pixel, xyz, firstHalf);
+  for (const auto& [pixel, xyz] : deposits_.all()) buffer_.add(pixel, xyz, firstHalf);
 }
 
-void SkyFilm::merge(const PathTally& fromThread) {
-  const auto& other = dynamic_cast<const SkyFilm&>(fromThread);
+void SkyFilm::merge(PathTally& fromThread) {
+  auto& other = dynamic_cast<SkyFilm&>(fromThread);
+  other.buffer_.flush();
   tally_.info.intercepted += other.intercepted_;
   tally_.info.undeviated += other.undeviated_;
 }

@@ -33,7 +33,7 @@ void SkyMap::add(std::span<const LightPath> bundle) {
 
 std::unique_ptr<PathTally> SkyMap::forThread() { return std::make_unique<SkyMap>(toSun_, binsPerHalfTurn_); }
 
-void SkyMap::merge(const PathTally& fromThread) {
+void SkyMap::merge(PathTally& fromThread) {
   const auto& other = dynamic_cast<const SkyMap&>(fromThread);
   bins_.merge(other.bins_);
   bundles_ += other.bundles_;

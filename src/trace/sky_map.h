@@ -19,7 +19,7 @@ class SkyMap : public PathTally {
 
   void add(std::span<const LightPath> bundle) override;
   std::unique_ptr<PathTally> forThread() override;
-  void merge(const PathTally& fromThread) override;
+  void merge(PathTally& fromThread) override;
 
   int columns() const { return 2 * binsPerHalfTurn_; }
   int rows() const { return binsPerHalfTurn_ + 1; }

@@ -96,7 +96,7 @@ TraceReport traceRays(const Cloud& cloud, const TraceSettings& settings, std::ui
     if (control.onProgress) control.onProgress(std::min(next * bundleSize, settings.rays) - firstRay, report.seconds);
   }
 
-  for (const Worker& worker : workers) {
+  for (Worker& worker : workers) {
     tally.merge(*worker.tally);
     report.rays += worker.report.rays;
     report.energy.merge(worker.report.energy);

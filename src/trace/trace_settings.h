@@ -5,7 +5,9 @@
 
 namespace parhelion {
 
-enum class Engine { embree, embreeRobust };
+/// What finds the next face of a crystal: Embree, or the planes of a convex crystal's faces. `automatic` takes the
+/// planes wherever the crystal is convex.
+enum class Engine { embree, embreeRobust, planes, automatic };
 
 /// What happens to light at a face: follow one branch picked by chance, or deposit what leaves and follow the rest.
 enum class PathMode { split, chance };

@@ -189,6 +189,10 @@ TEST_CASE("the stats file holds what benchmarks read") {
     CHECK_MESSAGE(stats["energy"].contains(key), key);
   CHECK(stats["threads"] == 2);
   CHECK(stats["rays"] == 20000);
+  for (const std::string engine : {"planes", "auto"}) {
+    REQUIRE(run(folder, "parhelion render s.toml --quiet --stats e.json --engine " + engine).exit == 0);
+    CHECK(json::parse(readFile(folder / "e.json"))["engine"] == engine);
+  }
 }
 
 TEST_CASE("check accepts good scenes and shows every error of bad ones with exit 2") {
@@ -226,6 +230,7 @@ TEST_CASE("mistakes on the command line are one clear complaint and exit 2") {
       {"parhelion render s.toml --seed -1", "whole number"},
       {"parhelion render s.toml --resolution 64", "WIDTHxHEIGHT"},
       {"parhelion render s.toml --engine embre", "did you mean 'embree'"},
+      {"parhelion render s.toml --engine plane", "did you mean 'planes'"},
       {"parhelion render s.toml --exposure nan", "expected a number"},
       {"parhelion render s.toml --time 0", "expected a number"},
       {"parhelion render s.toml -o sky.jpg", ".exr"},

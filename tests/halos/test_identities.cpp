@@ -58,7 +58,7 @@ const PopulationSettings kEveryKind[] = {prisms(0.1, RandomOrientation{}),
 
 TEST_CASE("every single ray's light leaves, is cut off or is lost, to rounding") {
   for (const PathMode mode : {PathMode::split, PathMode::chance})
-    for (const Engine engine : {Engine::embree, Engine::embreeRobust}) {
+    for (const Engine engine : {Engine::embree, Engine::embreeRobust, Engine::planes}) {
       double worst = 0.0, cutOff = 0.0, lost = 0.0;
       const Cloud cloud = cloudUnderPointSun(radians(20), {std::begin(kEveryKind), std::end(kEveryKind)});
       forEachRay(cloud, 100'000,

@@ -9,6 +9,7 @@
 
 #include "math/conventions.h"
 #include "math/random.h"
+#include "math/turn.h"
 
 using namespace parhelion;
 
@@ -81,4 +82,21 @@ TEST_CASE("portable atan2 is within 2 ulp of the C library's long double in ever
   CHECK(portable::atan2(0.0, 1.0) == 0.0);
   CHECK(portable::atan2(0.0, -1.0) == kPi);
   CHECK(portable::atan2(1.0, 0.0) == 0.5 * kPi);
+}
+
+TEST_CASE("sine and cosine of a share of a turn are right to their last digits, also where one of them vanishes") {
+  const auto check = [](double turn) {
+    const long double angle = 2.0L * std::acos(-1.0L) * static_cast<long double>(turn);
+    const auto [s, c] = portable::sincosOfTurn(turn);
+    REQUIRE(std::abs(static_cast<double>(s - std::sin(angle))) < 3e-16);
+    REQUIRE(std::abs(static_cast<double>(c - std::cos(angle))) < 3e-16);
+  };
+  RandomStream random(7, 0, RandomPurpose::path);
+  for (int i = 0; i < 100 * kArguments; ++i) check(random.next());
+  for (int i = 0; i <= 16; ++i)
+    for (const double turn : {i / 16.0, std::nextafter(i / 16.0, 0.0), std::nextafter(i / 16.0, 1.0)}) check(turn);
+  CHECK(portable::sincosOfTurn(0.0).sin == 0.0);
+  CHECK(portable::sincosOfTurn(0.25).sin == 1.0);
+  CHECK(portable::sincosOfTurn(0.5).cos == -1.0);
+  CHECK(portable::sincosOfTurn(1.0).cos == 1.0);
 }

@@ -36,6 +36,8 @@ TEST_CASE("populations are picked by index and by name") {
 
 TEST_CASE("a value that is not TOML is a bare string") {
   CHECK(sceneOf(kExample, {"trace.engine=embree-robust"}).trace.engine == Engine::embreeRobust);
+  CHECK(sceneOf(kExample, {"trace.engine=planes"}).trace.engine == Engine::planes);
+  CHECK(sceneOf(kExample, {"trace.engine='auto'"}).trace.engine == Engine::automatic);
   CHECK(sceneOf(kExample, {"trace.engine=\"embree-robust\""}).trace.engine == Engine::embreeRobust);
   CHECK(sceneOf(kExample, {"trace.rays=1.5k"}).trace.rays == 1500);
   CHECK(sceneOf(kExample, {"population.0.name=säulen \"x\" \\"}).populations[0].name == "säulen \"x\" \\");

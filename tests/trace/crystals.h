@@ -28,6 +28,18 @@ inline Cloud simpleCloud(const std::vector<PopulationSettings>& populations, dou
   return Cloud(sun, ConstantIce{index}, populations);
 }
 
+/// An engine for one mesh.
+inline Intersector intersectorOf(const CrystalMesh& mesh, Engine engine) {
+  if (engine == Engine::planes) return PlanesIntersector(mesh);
+  return EmbreeIntersector(EmbreeDevice(), mesh,
+                           engine == Engine::embreeRobust ? EmbreeMode::robust : EmbreeMode::fast);
+}
+
+inline std::optional<FaceHit> nextFace(const Intersector& engine, const Crystal& crystal, const Vec3& point,
+                                       const Vec3& lightDir, int leftFace) {
+  return std::visit([&](const auto& e) { return e.nextFace(crystal, point, lightDir, leftFace); }, engine);
+}
+
 /// A unit vector, uniform over the sphere.
 inline Vec3 randomDirection(RandomStream& random) {
   const double u1 = random.next(), u2 = random.next();

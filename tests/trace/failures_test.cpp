@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where tracers fail: each case here once broke one. Both of Embree's scene modes go through all of them.
+// Where tracers fail: each case here once broke one. All engines go through all of them.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -13,7 +13,7 @@ using namespace parhelion::test;
 
 namespace {
 
-constexpr EmbreeMode kModes[] = {EmbreeMode::fast, EmbreeMode::robust};
+constexpr Engine kEngines[] = {Engine::embree, Engine::embreeRobust, Engine::planes};
 
 void checkSane(const LightPath& path, double tolerance = 1e-12) {
   REQUIRE(path.lost == 0.0);
@@ -47,11 +47,10 @@ std::vector<CrystalMesh> crystalsOfAllKinds() {
 }  // namespace
 
 TEST_CASE("light that comes in exactly at a vertex or an edge is neither lost nor doubled") {
-  const EmbreeDevice device;
   std::uint64_t rays = 0;
-  for (const EmbreeMode mode : kModes)
+  for (const Engine kind : kEngines)
     for (const CrystalMesh& mesh : crystalsOfAllKinds()) {
-      const EmbreeIntersector engine(device, mesh, mode);
+      const Intersector engine = intersectorOf(mesh, kind);
       for (const EntryPoint& at : cornersAndEdges(mesh))
         for (int i = 0; i < 200; ++i) {
           RandomStream random(11, rays, RandomPurpose::incidence);
@@ -66,11 +65,10 @@ TEST_CASE("light that comes in exactly at a vertex or an edge is neither lost no
 }
 
 TEST_CASE("light inside a crystal aimed exactly at a vertex or an edge meets a face that ends there") {
-  const EmbreeDevice device;
   std::uint64_t rays = 0;
-  for (const EmbreeMode mode : kModes)
+  for (const Engine kind : kEngines)
     for (const CrystalMesh& mesh : crystalsOfAllKinds()) {
-      const EmbreeIntersector engine(device, mesh, mode);
+      const Intersector engine = intersectorOf(mesh, kind);
       for (const EntryPoint& target : cornersAndEdges(mesh))
         for (int i = 0; i < 200; ++i) {
           RandomStream random(12, rays++, RandomPurpose::incidence);
@@ -81,7 +79,7 @@ TEST_CASE("light inside a crystal aimed exactly at a vertex or an edge meets a f
           if (std::abs(glm::dot(mesh.faces()[from.face].normal, target.point - from.point)) < 1e-9 * mesh.radius())
             continue;
           const Vec3 lightDir = glm::normalize(target.point - from.point);
-          const auto hit = engine.nextFace(crystal, from.point, lightDir, from.face);
+          const auto hit = nextFace(engine, crystal, from.point, lightDir, from.face);
           REQUIRE(hit);
           // Single precision may pick a neighbour a few of its last digits beside the edge.
           const Vec3 met = from.point + hit->distance * lightDir;
@@ -92,16 +90,15 @@ TEST_CASE("light inside a crystal aimed exactly at a vertex or an edge meets a f
 }
 
 TEST_CASE("a face just left is never met again at once") {
-  const EmbreeDevice device;
-  for (const EmbreeMode mode : kModes)
+  for (const Engine kind : kEngines)
     for (const CrystalMesh& mesh : crystalsOfAllKinds()) {
-      const EmbreeIntersector engine(device, mesh, mode);
+      const Intersector engine = intersectorOf(mesh, kind);
       const Crystal crystal{&mesh};
       for (int i = 0; i < 20'000; ++i) {
         RandomStream random(13, i, RandomPurpose::incidence);
         const Vec3 lightDir = randomDirection(random);
         const EntryPoint from = sampleEntry(crystal, lightDir, random.next(), random.next(), random.next());
-        const auto hit = engine.nextFace(crystal, from.point, lightDir, from.face);
+        const auto hit = nextFace(engine, crystal, from.point, lightDir, from.face);
         REQUIRE(hit);
         REQUIRE(hit->face != from.face);
       }
@@ -109,7 +106,6 @@ TEST_CASE("a face just left is never met again at once") {
 }
 
 TEST_CASE("a crystal a million times smaller or larger sends light in the same directions") {
-  const EmbreeDevice device;
   const CrystalMesh unit = hexagonalPyramid({});
   const auto scaled = [&](double scale) {
     std::vector<Vec3> vertices;
@@ -118,10 +114,10 @@ TEST_CASE("a crystal a million times smaller or larger sends light in the same d
     for (const Face& face : unit.faces()) outlines.push_back({face.number, face.vertices});
     return CrystalMesh(vertices, outlines);
   };
-  for (const EmbreeMode mode : kModes)
+  for (const Engine kind : kEngines)
     for (const double scale : {1e-6, 1e6}) {
       const CrystalMesh other = scaled(scale);
-      const EmbreeIntersector engine(device, unit, mode), otherEngine(device, other, mode);
+      const Intersector engine = intersectorOf(unit, kind), otherEngine = intersectorOf(other, kind);
       int different = 0;
       for (int i = 0; i < 20'000; ++i) {
         RandomStream random(14, i, RandomPurpose::incidence);
@@ -148,7 +144,7 @@ TEST_CASE("light parallel to faces goes through without a NaN") {
   plate.azimuth = plate.roll = FixedValue{0.0};
   AxisOrientation column = plate;
   column.zenith = FixedValue{0.5 * kPi};
-  for (const Engine engine : {Engine::embree, Engine::embreeRobust})
+  for (const Engine engine : kEngines)
     for (const double elevation : {0.0, 0.5 * kPi})
       for (const OrientationSettings& orientation : std::vector<OrientationSettings>{plate, column})
         for (const double aspect : {0.1, 1.0, 10.0}) {
@@ -163,10 +159,9 @@ TEST_CASE("light parallel to faces goes through without a NaN") {
 }
 
 TEST_CASE("grazing light is reflected whole or nearly so, and its energy adds up") {
-  const EmbreeDevice device;
   const CrystalMesh mesh = hexagonalPrism(1.0);
-  for (const EmbreeMode mode : kModes) {
-    const EmbreeIntersector engine(device, mesh, mode);
+  for (const Engine kind : kEngines) {
+    const Intersector engine = intersectorOf(mesh, kind);
     double before = 0.0;
     for (int k = 1; k <= 15; ++k) {
       const double cosine = std::pow(10.0, -k);
@@ -184,7 +179,7 @@ TEST_CASE("grazing light is reflected whole or nearly so, and its energy adds up
 }
 
 TEST_CASE("aspect ratios from a thousandth to a thousand lose no ray and no energy") {
-  for (const Engine engine : {Engine::embree, Engine::embreeRobust})
+  for (const Engine engine : kEngines)
     for (const double aspect : {1e-3, 1e-2, 1e2, 1e3}) {
       const Cloud cloud = simpleCloud({prismPopulation(aspect)});
       const Engines engines = makeEngines(cloud, engine);
