@@ -15,7 +15,7 @@ enum class PathMode { split, chance };
 struct TraceSettings {
   std::uint64_t rays = 10'000'000;  // incident rays, all wavelengths together
   std::uint64_t seed = 1;
-  Engine engine = Engine::embree;
+  Engine engine = Engine::automatic;
   PathMode path = PathMode::split;
 };
 

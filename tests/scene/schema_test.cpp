@@ -86,7 +86,7 @@ TEST_CASE("the schema's defaults are those of the settings") {
   CHECK(preset("camera", "resolution") == Json{CameraSettings{}.width, CameraSettings{}.height});
   CHECK(preset("trace", "rays") == TraceSettings{}.rays);
   CHECK(preset("trace", "seed") == TraceSettings{}.seed);
-  CHECK(preset("trace", "engine") == "embree");
+  CHECK(preset("trace", "engine") == "auto");
   CHECK(preset("recon", "method") == "adaptive");
 }
 
