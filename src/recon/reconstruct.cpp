@@ -24,6 +24,13 @@ ReconstructedSky byMethod(const Tally& tally, const Settings& settings, const Wa
   return {light.develop(result.lights), std::move(result.remarks)};
 }
 
+bool isDark(const Tally& tally) {
+  for (int pixel = 0; pixel < tally.pixels(); ++pixel) {
+    if (tally.raw(pixel, Tally::kY) != 0) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 ReconstructedSky reconstruct(const Tally& tally, const ReconSettings& settings, const Watch& watch) {
@@ -43,7 +50,7 @@ ReconstructedSky reconstruct(const Tally& tally, const ReconSettings& settings, 
                      [&](const GonzatoMarchandSettings& own) { return byMethod(tally, own, watch, gonzatoMarchand); },
                  },
                  settings);
-  if (SkyLight(tally).hitsPerLight() <= 0.0) sky.remarks.push_back("no light in the sky: the picture is black");
+  if (isDark(tally)) sky.remarks.push_back("no light in the sky: the picture is black");
   watch.at(1.0);
   return sky;
 }

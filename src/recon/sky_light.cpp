@@ -36,21 +36,36 @@ class RelativeVariance {
   IntegralImage<double> all_, difference_;
 };
 
+/// Camera::solidAngles() with the rows in parallel: a quarter of the picture, mirrored.
+std::vector<double> solidAnglesOf(const Camera& camera) {
+  const int width = camera.width(), height = camera.height();
+  const int halfWidth = (width + 1) / 2, halfHeight = (height + 1) / 2;
+  std::vector<double> all(static_cast<std::size_t>(width) * height);
+  forRows(halfHeight, [&](int y) {
+    double* upper = all.data() + static_cast<std::size_t>(y) * width;
+    for (int x = 0; x < halfWidth; ++x) upper[x] = upper[width - 1 - x] = camera.solidAngle(x, y);
+    std::copy(upper, upper + width, all.data() + static_cast<std::size_t>(height - 1 - y) * width);
+  });
+  return all;
+}
+
 }  // namespace
 
-SkyLight::SkyLight(const Tally& tally) : tally_(tally), solidAngles_(Camera(tally.info.camera).solidAngles()) {
-  double squares = 0.0, solidAngle = 0.0;
-  int pixels = 0;
-  for (int pixel = 0; pixel < tally.pixels(); ++pixel) {
-    const double omega = solidAngles_[static_cast<std::size_t>(pixel)];
-    if (omega <= 0.0) continue;
-    solidAngle += omega;
-    ++pixels;
-    light_ += tally.luminance(pixel);
-    squares += tally.squares(pixel);
-  }
-  if (pixels > 0) meanSolidAngle_ = solidAngle / pixels;
-  if (squares > 0.0 && tally.info.interceptedLight() > 0.0) hitsPerLight_ = light_ / squares;
+SkyLight::SkyLight(const Tally& tally) : tally_(tally), solidAngles_(solidAnglesOf(Camera(tally.info.camera))) {
+  const int width = tally.width();
+  const Vec3 sums = sumOverRows(tally.height(), [&](int y) {
+    Vec3 row(0.0);  // solid angle, luminance, squares
+    for (int x = 0; x < width; ++x) {
+      const int pixel = y * width + x;
+      const double omega = solidAngles_[static_cast<std::size_t>(pixel)];
+      if (omega > 0.0) row += Vec3(omega, tally.luminance(pixel), tally.squares(pixel));
+    }
+    return row;
+  });
+  const auto pixels = std::count_if(solidAngles_.begin(), solidAngles_.end(), [](double omega) { return omega > 0.0; });
+  light_ = sums.y;
+  if (pixels > 0) meanSolidAngle_ = sums.x / static_cast<double>(pixels);
+  if (sums.z > 0.0 && tally.info.interceptedLight() > 0.0) hitsPerLight_ = light_ / sums.z;
 }
 
 SkyLight::Pixel SkyLight::at(std::size_t pixel) const {
