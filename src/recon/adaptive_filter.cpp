@@ -24,6 +24,12 @@ double cautionFor(double hits) {
   return std::clamp(2.0 + 0.8 * portable::log(hits / 3.5e5) / portable::log(10.0), 1.5, 3.0);
 }
 
+/// Hits under a middling kernel, for a picture of so many hits.
+double hitsPerKernel(double hits) {
+  // Measured on a display with plates and columns from 4e3 to 4e6 hits; half or double costs a tenth to a third.
+  return std::clamp(0.5 * portable::exp(0.45 * portable::log(std::max(hits, 1.0))), 16.0, 2048.0);
+}
+
 /// Kernels for `density` hits per relative solid angle; an empty grid of shapes is all round in the sky.
 KernelField fieldOf(const SkyPyramid& sky, const Grid<Light<1>>& density, const Grid<KernelShape>& shapes,
                     double totalHits) {
@@ -51,6 +57,14 @@ Grid<Light<1>> firstDensity(const SkyPyramid& sky, const Grid<Light<1>>& hits, d
   return result;
 }
 
+/// The kernels of the density once more, which those of a rougher one and its shapes have spread. Kernels along the
+/// arcs can do with half the hits: the density follows bright arcs more closely.
+KernelField sharpened(const SkyPyramid& sky, const Grid<Light<1>>& hits, const Grid<Light<1>>& density,
+                      const Grid<KernelShape>& shapes, double totalHits) {
+  const double enough = kPilotShare * hitsPerKernel(totalHits);
+  return fieldOf(sky, scatter<1>(sky, fieldOf(sky, density, shapes, totalHits), hits, enough), shapes, totalHits);
+}
+
 /// Density by density, finer each time, until sizes and shapes of the kernels are settled.
 KernelField settleKernels(const SkyPyramid& sky, const Grid<Light<1>>& hits, double totalHits) {
   const double n = hitsPerKernel(totalHits);
@@ -59,9 +73,7 @@ KernelField settleKernels(const SkyPyramid& sky, const Grid<Light<1>>& hits, dou
   density = scatter<1>(sky, fieldOf(sky, density, {}, totalHits), hits, kFirstHits);
   density = scatter<1>(sky, fieldOf(sky, density, {}, totalHits), hits, n);
   const Grid<KernelShape> shapes = kernelShapes(sky, density, n);
-  // Kernels along the arcs can do with half the hits: the density follows bright arcs more closely.
-  density = scatter<1>(sky, fieldOf(sky, density, shapes, totalHits), hits, kPilotShare * n);
-  return fieldOf(sky, density, shapes, totalHits);
+  return sharpened(sky, hits, density, shapes, totalHits);
 }
 
 template <std::size_t From, std::size_t N>
@@ -94,16 +106,10 @@ KernelField lookedAtFrom(const SkyPyramid& half, const Grid<Light<2>>& halfLight
     density[i][0] = perCell * fine[i][0];
     fineShapes[i] = {fine[i][1], fine[i][2]};
   }
-  density = scatter<1>(sky, fieldOf(sky, density, fineShapes, totalHits), hits, kPilotShare * n);
-  return fieldOf(sky, density, fineShapes, totalHits);
+  return sharpened(sky, hits, density, fineShapes, totalHits);
 }
 
 }  // namespace
-
-double hitsPerKernel(double hits) {
-  // Measured on a display with plates and columns from 4e3 to 4e6 hits; half or double costs a tenth to a third.
-  return std::clamp(0.5 * portable::exp(0.45 * portable::log(std::max(hits, 1.0))), 16.0, 2048.0);
-}
 
 template <std::size_t N>
 Filtered adaptiveFilter(const SkyPyramid& sky, const Grid<Light<N>>& light, double totalHits, const Watch& watch) {
@@ -119,7 +125,7 @@ Filtered adaptiveFilter(const SkyPyramid& sky, const Grid<Light<N>>& light, doub
     watch.at(done);
     sum.refine(caution);
   }
-  return {sum.result(), sum.colour()};
+  return {sum.takeResult(), sum.takeColour()};
 }
 
 template Filtered adaptiveFilter(const SkyPyramid&, const Grid<Light<2>>&, double, const Watch&);

@@ -12,9 +12,6 @@ struct Filtered {
   Grid<Light<3>> colour;     // luminance, X and Z, of which only the ratios are of use; empty without colour
 };
 
-/// Hits under a middling kernel, for a picture of so many hits.
-double hitsPerKernel(double hits);
-
 /// Density-adaptive, anisotropic scatter with gated corrections. Light 0 of a pixel is its luminance in effective hits
 /// (scaled so that their sum equals the sum of their squares), light 1 the difference between two independent halves of
 /// it, lights 2 and 3 are X and Z relative to white. Pixels without sky must be 0, and not all may be.

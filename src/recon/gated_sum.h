@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <utility>
+
 #include "recon/scatter.h"
 
 namespace parhelion {
@@ -21,8 +23,10 @@ class GatedSum {
   /// Luminance and the difference between its halves, per relative solid angle (SkyLevel::omega).
   const Grid<Light<2>>& result() const { return sum_; }
 
-  /// Luminance, X and Z through gates of their own, of which only the ratios are of use; empty without colour.
-  const Grid<Light<3>>& colour() const { return colour_; }
+  /// The same, and luminance, X and Z through gates of their own, of which only the ratios are of use (empty without
+  /// colour), once: nothing is left to refine.
+  Grid<Light<2>> takeResult() { return std::move(sum_); }
+  Grid<Light<3>> takeColour() { return std::move(colour_); }
 
  private:
   const SkyPyramid& sky_;
