@@ -6,6 +6,7 @@
 #include "cli/commands.h"
 #include "cli/run_options.h"
 #include "math/rotation.h"
+#include "trace/light_path.h"
 
 namespace parhelion::cli {
 
@@ -106,7 +107,8 @@ int runReplay(const ReplayOptions& options) {
   const Cloud cloud = makeCloud(scene);
   LightPath path;
   path.recordEncounters = true;
-  followRay(cloud, makeEngines(cloud, scene.trace.engine), scene.trace, options.ray, path);
+  RaySource source(cloud, scene.trace, 1);
+  followRay(source, makeEngines(cloud, scene.trace.engine), scene.trace, options.ray, path);
   const std::string& population = cloud.populations()[path.incident.population].name();
   if (options.json)
     std::printf("%s\n", pathJson(path, population).dump(2).c_str());

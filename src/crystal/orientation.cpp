@@ -10,8 +10,6 @@
 
 #include "math/overloaded.h"
 #include "math/portable.h"
-#include "math/rotation.h"
-#include "math/turn.h"
 
 namespace parhelion {
 
@@ -51,30 +49,37 @@ std::optional<Bell> bellOf(const AngleDistribution& distribution, ValueSampler::
       distribution);
 }
 
+/// The inverse of those that need no table.
+AngleQuantile closedForm(const AngleDistribution& distribution) {
+  using Kind = AngleQuantile::Kind;
+  return std::visit(Overloaded{[](const FixedValue& d) {
+                                 return AngleQuantile{Kind::linear, d.value, 0.0, {}};
+                               },
+                               [](const UniformRange& d) {
+                                 return AngleQuantile{Kind::linear, d.from, d.to - d.from, {}};
+                               },
+                               [](const Arcsine& d) {
+                                 return AngleQuantile{Kind::arcsine, d.mean, d.amplitude, {}};
+                               },
+                               [](const auto& d) {
+                                 return AngleQuantile{Kind::linear, d.mean, 0.0, {}};
+                               }},
+                    distribution);
+}
+
 }  // namespace
 
 ValueSampler::ValueSampler(const AngleDistribution& distribution, Measure measure, double lowest, double highest)
     : distribution_(distribution) {
-  const auto* range = std::get_if<UniformRange>(&distribution);
-  fullTurn_ = range && range->from == 0.0 && range->to == 2.0 * kPi;
   const auto bell = bellOf(distribution, measure);
-  if (!bell) return;
+  if (!bell) {
+    quantile_ = closedForm(distribution);
+    return;
+  }
   const double lo = std::max(lowest, bell->mean - bell->reach), hi = std::min(highest, bell->mean + bell->reach);
   if (!(hi > lo)) throw std::invalid_argument("a distribution lies wholly outside its range");
   table_ = std::make_shared<TabulatedDensity>(bell->density, lo, hi, kCells);
-}
-
-double ValueSampler::sample(double u) const {
-  if (table_) return table_->sample(u);
-  return std::visit(Overloaded{[](const FixedValue& d) { return d.value; },
-                               [u](const UniformRange& d) { return d.from + u * (d.to - d.from); },
-                               [u](const Arcsine& d) { return d.mean + d.amplitude * portable::sin(kPi * (u - 0.5)); },
-                               [](const auto& d) { return d.mean; }},
-                    distribution_);
-}
-
-portable::SinCos ValueSampler::sincos(double u) const {
-  return fullTurn_ ? portable::sincosOfTurn(u) : portable::sincos(sample(u));
+  quantile_ = {AngleQuantile::Kind::table, lo, hi - lo, table_->quantile()};
 }
 
 double ValueSampler::density(double x) const {
@@ -93,40 +98,32 @@ double ValueSampler::density(double x) const {
                     distribution_);
 }
 
-OrientationSampler::OrientationSampler(const OrientationSettings& settings) : kind_(build(settings)) {}
-
-OrientationSampler::Kind OrientationSampler::build(const OrientationSettings& settings) {
+OrientationSampler::OrientationSampler(const OrientationSettings& settings) {
+  using Kind = OrientationQuantile::Kind;
   using Measure = ValueSampler::Measure;
   constexpr double kFree = std::numeric_limits<double>::infinity();
   const auto zenith = [](const AngleDistribution& d) { return ValueSampler(d, Measure::solidAngle, 0.0, kPi); };
   const auto turn = [](const AngleDistribution& d) { return ValueSampler(d, Measure::linear, -kFree, kFree); };
-  return std::visit(Overloaded{[](const RandomOrientation&) -> Kind { return Random{}; },
-                               [&](const AxisOrientation& s) -> Kind {
-                                 return Axis{zenith(s.zenith), turn(s.azimuth), turn(s.roll)};
-                               },
-                               [&](const LowitzOrientation& s) -> Kind {
-                                 return Lowitz{zenith(s.axisZenith), turn(s.spin)};
-                               }},
-                    settings);
+  const UniformRange wholeTurn{0.0, 2.0 * kPi};
+  std::visit(Overloaded{[&](const RandomOrientation&) { quantile_.kind = Kind::random; },
+                        [&](const AxisOrientation& s) {
+                          quantile_.kind = Kind::axis;
+                          angles_ = {zenith(s.zenith), turn(s.azimuth), turn(s.roll)};
+                        },
+                        [&](const LowitzOrientation& s) {
+                          quantile_.kind = Kind::lowitz;
+                          angles_ = {zenith(s.axisZenith), turn(wholeTurn), turn(s.spin)};
+                        }},
+             settings);
+  if (angles_.empty()) return;
+  quantile_.zenith = angles_[0].quantile();
+  quantile_.azimuth = angles_[1].quantile();
+  quantile_.roll = angles_[2].quantile();
 }
 
 Mat3 OrientationSampler::sample(double u1, double u2, double u3) const {
-  return std::visit(
-      Overloaded{[&](const Random&) {
-                   // The cosine of the zenith angle is uniform; this sine is exact near both poles.
-                   const portable::SinCos zenith{2.0 * std::sqrt(u1 * (1.0 - u1)), 1.0 - 2.0 * u1};
-                   return crystalOrientation(zenith, portable::sincosOfTurn(u2), portable::sincosOfTurn(u3));
-                 },
-                 [&](const Axis& axis) {
-                   // Angles beyond the poles fold back by themselves: the rotation formula takes any
-                   // angle.
-                   return crystalOrientation(axis.zenith.sincos(u1), axis.azimuth.sincos(u2), axis.roll.sincos(u3));
-                 },
-                 [&](const Lowitz& lowitz) {
-                   const double tilt = 0.5 * kPi - lowitz.axisZenith.sample(u1);
-                   return rotationZ(2.0 * kPi * u2) * rotationX(tilt) * rotationY(lowitz.spin.sample(u3));
-                 }},
-      kind_);
+  const auto [x, y, z] = quantile_.at(u1, u2, u3);
+  return Mat3(x.x, x.y, x.z, y.x, y.y, y.z, z.x, z.y, z.z);
 }
 
 }  // namespace parhelion

@@ -2,10 +2,10 @@
 #pragma once
 
 #include <memory>
-#include <variant>
+#include <vector>
 
+#include "crystal/angle_quantile.h"
 #include "crystal/population_settings.h"
-#include "math/portable.h"
 #include "math/tabulated_density.h"
 
 namespace parhelion {
@@ -19,18 +19,18 @@ class ValueSampler {
   /// A plain value in [lowest, highest], to which Normal, PolarNormal and Laplace are cut off.
   ValueSampler(const AngleDistribution& distribution, Measure measure, double lowest, double highest);
 
-  double sample(double u) const;
+  double sample(double u) const { return quantile_.at(u); }
 
-  /// Sine and cosine of sample(u).
-  portable::SinCos sincos(double u) const;
+  /// The same for lanes; valid as long as this.
+  const AngleQuantile& quantile() const { return quantile_; }
 
   /// Probability per unit of the value, before any folding. Infinite where a fixed value sits.
   double density(double x) const;
 
  private:
   AngleDistribution distribution_;
-  bool fullTurn_ = false;                          // uniform from 0 to 2 pi
   std::shared_ptr<const TabulatedDensity> table_;  // Normal, PolarNormal and Laplace of non-zero width
+  AngleQuantile quantile_;
 };
 
 /// Draws crystal-to-world rotations. Three numbers in (0, 1) a rotation; the first matters most.
@@ -40,18 +40,12 @@ class OrientationSampler {
 
   Mat3 sample(double u1, double u2, double u3) const;
 
- private:
-  struct Random {};
-  struct Axis {
-    ValueSampler zenith, azimuth, roll;
-  };
-  struct Lowitz {
-    ValueSampler axisZenith, spin;
-  };
-  using Kind = std::variant<Random, Axis, Lowitz>;
-  static Kind build(const OrientationSettings& settings);
+  /// The same for lanes; valid as long as this.
+  const OrientationQuantile& quantile() const { return quantile_; }
 
-  Kind kind_;
+ private:
+  std::vector<ValueSampler> angles_;  // what the quantile looks into
+  OrientationQuantile quantile_;
 };
 
 }  // namespace parhelion

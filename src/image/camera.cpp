@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "math/portable.h"
 #include "math/rotation.h"
 
 namespace parhelion {

@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cmath>
 #include <optional>
 #include <string_view>
 #include <vector>
 
-#include <glm/geometric.hpp>
-
 #include "image/camera_settings.h"
+#include "image/lens.h"
 #include "math/conventions.h"
-#include "math/portable.h"
 
 namespace parhelion {
 
@@ -43,6 +40,21 @@ class Camera {
   /// rectilinear camera and outside the image circle. Light exactly on the border counts as inside.
   std::optional<Vec2> project(const Vec3& toSky) const;
 
+  /// The same for lanes.
+  Lens lens() const {
+    const auto triple = [](const Vec3& v) { return Triple<double>{v.x, v.y, v.z}; };
+    return {settings_.projection,
+            static_cast<double>(settings_.width),
+            static_cast<double>(settings_.height),
+            triple(right_),
+            triple(up_),
+            triple(forward_),
+            centre_.x,
+            centre_.y,
+            focal_,
+            minCosine_};
+  }
+
   /// Row-major index of the pixel in which project(toSky) lies.
   std::optional<int> pixelAt(const Vec3& toSky) const {
     const std::optional<Vec2> p = project(toSky);
@@ -60,14 +72,7 @@ class Camera {
   std::vector<double> solidAngles() const;
 
  private:
-  static double onePlusCosine(const Vec3& v);
-  double radiusPerSine(const Vec3& v) const;
   double fisheyeSolidAngle(Vec2 lo, Vec2 hi) const;
-
-  // project() shrinks the picture by this much toward its centre, so that light exactly on the border or on the image
-  // circle (the horizon, the poles, the antisolar point) falls inside in spite of rounding, which is a thousand times
-  // smaller. 1e-12 of half a picture is far below a pixel.
-  static constexpr double kShrink = 1.0 - 1e-12;
 
   CameraSettings settings_;
   Vec3 right_, up_, forward_;  // world, orthonormal
@@ -77,49 +82,10 @@ class Camera {
   double minCosine_;           // of angles from the axis inside the circle, with slack for rounding
 };
 
-/// 1 + cos theta of a unit camera vector without cancellation near the antipode of the axis.
-inline double Camera::onePlusCosine(const Vec3& v) {
-  return v.z > 0.0 ? 1.0 + v.z : (v.x * v.x + v.y * v.y) / (1.0 - v.z);
-}
-
-/// r / sin theta, r in focal lengths: the factor from the camera vector's (x, y) to the picture.
-inline double Camera::radiusPerSine(const Vec3& v) const {
-  switch (settings_.projection) {
-    case Projection::rectilinear:
-      return 1.0 / v.z;
-    case Projection::fisheyeEqualArea:
-      return std::sqrt(2.0 / onePlusCosine(v));
-    case Projection::fisheyeStereographic:
-      return 2.0 / onePlusCosine(v);
-    case Projection::fisheyeEquidistant: {
-      const double sine = std::sqrt(v.x * v.x + v.y * v.y);
-      return sine > 0.0 ? portable::atan2(sine, v.z) / sine : 1.0;
-    }
-    case Projection::fisheyeOrthographic:
-    case Projection::equirectangular:
-      break;
-  }
-  return 1.0;
-}
-
 inline std::optional<Vec2> Camera::project(const Vec3& toSky) const {
-  Vec3 v{glm::dot(toSky, right_), glm::dot(toSky, up_), glm::dot(toSky, forward_)};
-  Vec2 p;  // focal lengths, y up
-  if (settings_.projection == Projection::equirectangular) {
-    p = {portable::atan2(v.x, v.z), portable::atan2(v.y, std::sqrt(v.x * v.x + v.z * v.z))};
-  } else {
-    if (!(v.z >= minCosine_)) return std::nullopt;
-    // The antipode is the whole image circle and has no direction of its own: give it the left. The square of this
-    // sine is still a normal number.
-    constexpr double kLeastSine = 1e-150;
-    if (v.z < 0.0 && v.x * v.x + v.y * v.y < kLeastSine * kLeastSine) v = {-kLeastSine, 0.0, v.z};
-    const double factor = radiusPerSine(v);
-    p = {v.x * factor, v.y * factor};
-  }
-  const Vec2 pixel{centre_.x + p.x * (focal_ * kShrink), centre_.y - p.y * (focal_ * kShrink)};
-  const bool inside = pixel.x >= 0.0 && pixel.x < settings_.width && pixel.y >= 0.0 && pixel.y < settings_.height;
+  const auto [inside, x, y] = lens().project<double>({toSky.x, toSky.y, toSky.z});
   if (!inside) return std::nullopt;
-  return pixel;
+  return Vec2(x, y);
 }
 
 }  // namespace parhelion

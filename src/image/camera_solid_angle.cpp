@@ -4,6 +4,8 @@
 
 #include "image/camera.h"
 
+#include "math/portable.h"
+
 // The solid angle of a pixel of an azimuthal projection is the integral of (1 - cos theta) d phi around its border
 // (Stokes). With F(r^2) = (1 - cos theta) / r^2, which is smooth at the axis, and d phi = (x dy - y dx) / r^2, an edge
 // at distance c from the axis contributes c * integral of F(c^2 + s^2) ds, and an arc of the image circle

@@ -11,6 +11,8 @@ namespace parhelion {
 class ExactSum {
  public:
   void add(double x) { units_ += static_cast<std::int64_t>(std::nearbyint(x * kScale)); }
+  /// Adds units of 2^-40.
+  void addUnits(std::int64_t units) { units_ += units; }
   void merge(const ExactSum& other) { units_ += other.units_; }
   double value() const { return static_cast<double>(units_) / kScale; }
   bool operator==(const ExactSum&) const = default;

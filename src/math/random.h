@@ -4,6 +4,8 @@
 #include <array>
 #include <cstdint>
 
+#include "math/lanes.h"
+
 namespace parhelion {
 
 inline std::uint32_t lowWord(std::uint64_t x) { return static_cast<std::uint32_t>(x); }
@@ -27,10 +29,39 @@ inline std::array<std::uint32_t, 4> philox4x32(std::array<std::uint32_t, 4> coun
 }
 
 /// 64 random bits to a number strictly inside (0, 1), the centre of one of 2^52 equal cells.
-inline double toUnitInterval(std::uint64_t bits) { return (static_cast<double>(bits >> 12) + 0.5) * 0x1p-52; }
+template <class T = double>
+PARHELION_INLINE T toUnitInterval(const WordsOf<T>& bits) {
+  // With the exponent of 1 before them, 52 bits are a number in [1, 2).
+  constexpr std::uint64_t kOne = 0x3FF0000000000000;
+  return bitsAs<T>((bits >> 12) | kOne) - (1.0 - 0x1p-53);
+}
 
 /// What a ray's random numbers are spent on; each purpose has a stream of its own.
-enum class RandomPurpose : std::uint32_t { incidence = 0, path = 1, pilot = 2 };
+enum class RandomPurpose : std::uint32_t { incidence = 0, path = 1, pilot = 2, population = 3 };
+
+/// The numbers that decide which way light goes at the faces a path meets: xorshift128+ (Vigna 2017, "Further
+/// scramblings of Marsaglia's xorshift generators"), started for each bundle of rays from 128 bits of Philox.
+template <class T>
+struct PathRandom {
+  WordsOf<T> state0, state1;
+
+  /// The next number, strictly inside (0, 1).
+  PARHELION_INLINE T next() {
+    WordsOf<T> a = state0;
+    const WordsOf<T> b = state1;
+    const T number = toUnitInterval<T>(a + b);
+    a ^= a << 23;
+    state0 = b;
+    state1 = a ^ b ^ (a >> 18) ^ (b >> 5);
+    return number;
+  }
+};
+
+inline PathRandom<double> pathRandom(std::uint64_t seed, std::uint64_t bundle) {
+  const auto words = philox4x32({0, static_cast<std::uint32_t>(RandomPurpose::path), lowWord(bundle), highWord(bundle)},
+                                {lowWord(seed), highWord(seed)});
+  return {std::uint64_t{words[1]} << 32 | words[0], std::uint64_t{words[3]} << 32 | words[2]};
+}
 
 /// The random numbers of one ray for one purpose: a pure function of (seed, ray index, purpose, position).
 class RandomStream {

@@ -40,17 +40,12 @@ Mat3 rotationZ(double angle) {
 }
 
 Mat3 crystalOrientation(double zenith, double azimuth, double roll) {
-  return crystalOrientation(portable::sincos(zenith), portable::sincos(azimuth), portable::sincos(roll));
-}
-
-Mat3 crystalOrientation(const portable::SinCos& zenith, const portable::SinCos& azimuth, const portable::SinCos& roll) {
-  // Rz(-azimuth) Ry(zenith) Rz(roll), multiplied out: sky azimuth grows clockwise seen from above, a rotation about +z
-  // counter-clockwise.
-  const auto [sz, cz] = zenith;
-  const auto [sa, ca] = azimuth;
-  const auto [sr, cr] = roll;
-  return Mat3(Vec3(ca * cz * cr + sa * sr, -sa * cz * cr + ca * sr, -sz * cr),
-              Vec3(-ca * cz * sr + sa * cr, sa * cz * sr + ca * cr, sz * sr), Vec3(ca * sz, -sa * sz, cz));
+  const auto sineCosine = [](double angle) {
+    const auto [s, c] = portable::sincos(angle);
+    return SineCosine<double>{s, c};
+  };
+  const auto [x, y, z] = axisRotation(sineCosine(zenith), sineCosine(azimuth), sineCosine(roll));
+  return Mat3(x.x, x.y, x.z, y.x, y.y, y.z, z.x, z.y, z.z);
 }
 
 Mat3 frameAround(const Vec3& axis) {

@@ -33,19 +33,6 @@ TabulatedDensity::TabulatedDensity(const std::function<double(double)>& unnormal
   }
 }
 
-double TabulatedDensity::sample(double u) const {
-  const int cells = static_cast<int>(density_.size()) - 1;
-  int cell = guide_[static_cast<int>(u * cells)];
-  while (cell + 1 < cells && cumulative_[cell + 1] <= u) ++cell;
-
-  // Solve d0 t + (d1 - d0) t^2 / 2 = v for the fraction t of the cell, in the form that does not cancel.
-  const double d0 = density_[cell], d1 = density_[cell + 1];
-  const double v = std::max(0.0, (u - cumulative_[cell]) / step_);
-  const double root = std::sqrt(std::max(0.0, d0 * d0 + 2.0 * (d1 - d0) * v));
-  const double t = d0 + root > 0.0 ? 2.0 * v / (d0 + root) : 0.0;
-  return lo_ + (cell + std::min(t, 1.0)) * step_;
-}
-
 double TabulatedDensity::density(double x) const {
   if (x < lo_ || x > hi_) return 0.0;
   const int cells = static_cast<int>(density_.size()) - 1;

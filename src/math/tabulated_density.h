@@ -4,6 +4,8 @@
 #include <functional>
 #include <vector>
 
+#include "math/table_quantile.h"
+
 namespace parhelion {
 
 /// A probability density on [lo, hi] that is linear between equally spaced nodes, sampled by exact inversion.
@@ -15,7 +17,12 @@ class TabulatedDensity {
   TabulatedDensity(const std::function<double(double)>& unnormalised, double lo, double hi, int cells);
 
   /// The value below which a fraction `u` in [0, 1] of the probability lies.
-  double sample(double u) const;
+  double sample(double u) const { return quantile().at(u); }
+
+  /// The same for lanes; valid as long as this.
+  TableQuantile quantile() const {
+    return {lo_, step_, static_cast<int>(density_.size()) - 1, density_.data(), cumulative_.data(), guide_.data()};
+  }
 
   /// Probability per unit of x; 0 outside [lo, hi].
   double density(double x) const;
@@ -31,7 +38,7 @@ class TabulatedDensity {
   double integral_ = 0.0;
   std::vector<double> density_;     // at the nodes, normalised
   std::vector<double> cumulative_;  // at the nodes, from 0 to 1
-  std::vector<int> guide_;          // guide_[k]: the cell in which cumulative k / cells lies
+  std::vector<double> guide_;       // guide_[k]: the cell in which cumulative k / cells lies
 };
 
 }  // namespace parhelion

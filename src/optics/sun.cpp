@@ -5,7 +5,6 @@
 
 #include "math/portable.h"
 #include "math/rotation.h"
-#include "math/turn.h"
 
 namespace parhelion {
 
@@ -24,12 +23,15 @@ Sun::Sun(const SunSettings& settings)
   if (angularRadius_ > 0.0) radius_.emplace([](double r) { return r * limbDarkening(r); }, 0.0, 1.0, kCells);
 }
 
+SunDisc Sun::disc() const {
+  const auto column = [&](int k) { return Triple<double>{frame_[k].x, frame_[k].y, frame_[k].z}; };
+  return {radius_->quantile(), sinRadius_, column(0), column(1), column(2)};
+}
+
 Vec3 Sun::toPoint(double u1, double u2) const {
   if (!radius_) return toCentre_;
-  // The disc is flat: r is the sine of the angle from the centre over the sine of the angular radius.
-  const double sinAngle = radius_->sample(u1) * sinRadius_;
-  const auto [s, c] = portable::sincosOfTurn(u2);
-  return frame_ * Vec3(sinAngle * c, sinAngle * s, std::sqrt(1.0 - sinAngle * sinAngle));
+  const auto [x, y, z] = disc().toPoint(u1, u2);
+  return {x, y, z};
 }
 
 double Sun::radiance(double angle) const {

@@ -2,11 +2,10 @@
 #include "trace/cloud.h"
 
 #include <algorithm>
+#include <numeric>
 #include <stdexcept>
 
-#include <glm/matrix.hpp>
-
-#include "optics/ice.h"
+#include "trace/kernels.h"
 
 namespace parhelion {
 
@@ -21,94 +20,73 @@ double goldenQuantile(std::uint64_t seed, std::uint64_t bundle) {
   return toUnitInterval((std::uint64_t{start[1]} << 32 | start[0]) + bundle * kGolden);
 }
 
+/// Interceptions of so many crystals of one population.
+std::vector<double> pilotInterceptions(const IncidenceTable& table, int population, int count) {
+  std::vector<std::uint64_t> bundles(count + RayQueue::kSpare), rejected(RayQueue::kSpare);
+  std::iota(bundles.begin(), bundles.end(), std::uint64_t{0});
+  RayQueue queue(count, 1);
+  IncidenceNumbers numbers{};
+  for (int i = 0; i < count; i += IncidenceNumbers::kRoom) {
+    Proposals proposals{&bundles[i], std::min(IncidenceNumbers::kRoom, count - i), rejected.data(), 0};
+    kernels().draw(static_cast<std::uint64_t>(population), RandomPurpose::pilot, proposals.bundle, proposals.count, 0,
+                   kIncidenceNumbers / 2, numbers);
+    kernels().propose(table, numbers, proposals, queue);
+  }
+  return {queue.weight.begin(), queue.weight.begin() + count};
+}
+
 }  // namespace
 
 Cloud::Cloud(const SunSettings& sun, const IceSettings& ice, std::span<const PopulationSettings> populations)
-    : sun_(sun), spectrum_(sun.spectrum), ice_(ice), populations_(populations.begin(), populations.end()) {
+    : sun_(sun),
+      disc_(sun_.isPoint() ? nullptr : std::make_unique<SunDisc>(sun_.disc())),
+      spectrum_(sun.spectrum),
+      ice_(ice),
+      populations_(populations.begin(), populations.end()) {
+  for (const Population& population : populations_) faces_.emplace_back(population.mesh());
   // Any bound gives the right distribution; one that the pilot sample never exceeds wastes few proposals and leaves
-  // nearly all rays with weight 1.
+  // nearly all rays with weight 1. Where no crystal is rejected, the mean makes weights that are 1 on average.
   constexpr int kPilot = 4096;
-  double total = 0.0;
+  std::vector<double> highest, mean;
   for (int p = 0; p < static_cast<int>(populations_.size()); ++p) {
-    double bound = 0.0;
-    for (int i = 0; i < kPilot; ++i) {
-      RandomStream random(static_cast<std::uint64_t>(p), i, RandomPurpose::pilot);
-      bound = std::max(bound, propose(p, random).interception);
-    }
-    bound_.push_back(bound);
-    total += populations_[p].weight() * bound;
-    cumulative_.push_back(total);
+    IncidenceTable table = incidence(p, Sampler::sobol);
+    table.bound = 1.0;  // so that weights are interceptions
+    const std::vector<double> pilot = pilotInterceptions(table, p, kPilot);
+    highest.push_back(*std::ranges::max_element(pilot));
+    mean.push_back(std::accumulate(pilot.begin(), pilot.end(), 0.0) / kPilot);
+  }
+  addPilot(pilot_[static_cast<int>(Sampler::random)], highest);
+  addPilot(pilot_[static_cast<int>(Sampler::sobol)], mean);
+}
+
+void Cloud::addPilot(Pilot& pilot, const std::vector<double>& bounds) const {
+  double total = 0.0;
+  for (std::size_t p = 0; p < populations_.size(); ++p) {
+    pilot.bound.push_back(bounds[p]);
+    total += populations_[p].weight() * bounds[p];
+    pilot.cumulative.push_back(total);
   }
   if (!(total > 0.0)) throw std::invalid_argument("no population has any weight");
-  for (double& c : cumulative_) c /= total;
+  for (double& c : pilot.cumulative) c /= total;
 }
 
-Cloud::Proposal Cloud::propose(int population, RandomStream& random) const {
-  const Population& kind = populations_[population];
-  Proposal p;
-  p.population = population;
-  const double u1 = random.next(), u2 = random.next(), u3 = random.next();
-  p.crystalToWorld = kind.orientation(u1, u2, u3);
-  p.crystal = kind.crystal(random.next());
-  p.lightDirWorld = -sun_.toCentre();
-  if (!sun_.isPoint()) {
-    const double v1 = random.next(), v2 = random.next();
-    p.lightDirWorld = -sun_.toPoint(v1, v2);
-  }
-  p.lightDirCrystal = glm::transpose(p.crystalToWorld) * p.lightDirWorld;
-  p.shadows = shadowsOf(p.crystal, p.lightDirCrystal);
-  p.interception = p.shadows.total / p.crystal.surface();
-  return p;
+IncidenceTable Cloud::incidence(int population, Sampler sampler) const {
+  const Vec3& toSun = sun_.toCentre();
+  const Pilot& pilot = pilot_[static_cast<int>(sampler)];
+  const double bound = pilot.bound.empty() ? 1.0 : pilot.bound[population];
+  return {populations_[population].orientation(),
+          populations_[population].stretch(),
+          &faces_[population],
+          {toSun.x, toSun.y, toSun.z},
+          disc_.get(),
+          bound,
+          sampler == Sampler::random};
 }
 
-IncidentRay Cloud::incidentRay(std::uint64_t seed, std::uint64_t index) const {
-  const std::uint64_t bundle = index / bundleSize();
-  RandomStream random(seed, bundle, RandomPurpose::incidence);
-  while (true) {
-    // Propose a population by weight * bound and a crystal of it, accept in proportion to interception / bound. Where
-    // the interception exceeds the bound the ray carries the excess as weight, so the result never depends on the
-    // bound.
-    const double u = random.next();
-    const auto chosen = std::upper_bound(cumulative_.begin(), cumulative_.end(), u);
-    const int population =
-        static_cast<int>(std::min(chosen - cumulative_.begin(), std::ptrdiff_t(cumulative_.size()) - 1));
-    const Proposal p = propose(population, random);
-    const double ratio = p.interception / bound_[population];
-    if (random.next() >= ratio) continue;
-
-    IncidentRay ray;
-    ray.bundle = bundle;
-    ray.population = population;
-    ray.crystal = p.crystal;
-    ray.crystalToWorld = p.crystalToWorld;
-    ray.lightDirWorld = p.lightDirWorld;
-    ray.lightDirCrystal = p.lightDirCrystal;
-    ray.projectedArea = p.shadows.total;
-    const double v1 = random.next(), v2 = random.next(), v3 = random.next();
-    ray.entry = sampleEntry(p.crystal, p.shadows, v1, v2, v3);
-    ray.weight = std::max(1.0, ratio);
-    setWavelength(ray, seed, index);
-    return ray;
-  }
-}
-
-IncidentRay Cloud::sibling(const IncidentRay& ray, std::uint64_t seed, std::uint64_t index) const {
-  IncidentRay other = ray;
-  setWavelength(other, seed, index);
-  return other;
-}
-
-void Cloud::setWavelength(IncidentRay& ray, std::uint64_t seed, std::uint64_t index) const {
-  ray.index = index;
-  if (bundleSize() == 1) {
-    ray.light = spectrum_.lines().front();
-    ray.iceIndex = refractiveIndex(ice_, ray.light.wavelength, ray.bundle);
-    return;
-  }
+SpectralSample Cloud::light(std::uint64_t seed, std::uint64_t bundle, int member) const {
+  if (!spectrum_.lines().empty()) return spectrum_.lines()[member];
   // The wavelengths of a bundle stand at equal distances in the spectrum, from a start that differs between bundles.
-  const auto member = static_cast<double>(index % bundleSize());
-  ray.light = spectrum_.sample((member + goldenQuantile(seed, ray.bundle)) / bundleSize());
-  ray.iceIndex = refractiveIndex(ice_, ray.light.wavelength, ray.bundle);
+  return spectrum_.sample((member + goldenQuantile(seed, bundle)) / bundleSize());
 }
 
 }  // namespace parhelion

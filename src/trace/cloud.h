@@ -2,31 +2,18 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "crystal/population.h"
-#include "math/random.h"
+#include "optics/ice.h"
 #include "optics/spectrum.h"
 #include "optics/sun.h"
+#include "trace/incidence.h"
+#include "trace/trace_settings.h"
 
 namespace parhelion {
-
-/// One ray of sunlight as it meets a crystal.
-struct IncidentRay {
-  std::uint64_t index = 0;
-  std::uint64_t bundle = 0;  // of rays that differ in wavelength alone
-  int population = 0;
-  Crystal crystal{};
-  Mat3 crystalToWorld{1.0};
-  Vec3 lightDirWorld{};        // unit, from the sun's disc toward the crystal
-  Vec3 lightDirCrystal{};      // the same in the crystal's frame
-  EntryPoint entry{};          // crystal frame
-  double projectedArea = 0.0;  // of this crystal in this orientation, crystal units squared
-  SpectralSample light;
-  double iceIndex = 1.31;  // refractive index at this wavelength
-  double weight = 1.0;     // intercepted light this ray stands for; nearly always 1
-};
 
 /// Sun, ice and crystals: everything a ray's start is drawn from. Immutable; safe to use from many threads.
 class Cloud {
@@ -37,36 +24,43 @@ class Cloud {
   /// Rays k * bundleSize() ... (k + 1) * bundleSize() - 1 share everything but their wavelength; see Spectrum.
   int bundleSize() const { return spectrum_.bundleSize(); }
 
-  /// The ray `index` of the sequence `seed`: a pure function of its arguments. Rays are distributed like the light that
-  /// the crystals intercept: each crystal in proportion to its projected area in its own orientation.
-  IncidentRay incidentRay(std::uint64_t seed, std::uint64_t index) const;
+  /// What the rays of a population are drawn from; valid as long as the cloud.
+  IncidenceTable incidence(int population, Sampler sampler) const;
 
-  /// Ray `index` from any other ray of its bundle; incidentRay(seed, index) without drawing anew.
-  IncidentRay sibling(const IncidentRay& ray, std::uint64_t seed, std::uint64_t index) const;
+  /// The crystal of a population for lanes.
+  const FaceTable& faces(int population) const { return faces_[population]; }
+
+  /// Shares of the populations among the crystals proposed, added up to 1.
+  const std::vector<double>& shares(Sampler sampler) const { return pilot_[static_cast<int>(sampler)].cumulative; }
+
+  /// The wavelength of a member of a bundle.
+  SpectralSample light(std::uint64_t seed, std::uint64_t bundle, int member) const;
+
+  /// The refractive index that a bundle's ray of a wavelength (nm) meets.
+  double iceIndex(double wavelength, std::uint64_t bundle) const { return refractiveIndex(ice_, wavelength, bundle); }
+
+  /// Whether the light and the ice of a member are the same in all bundles.
+  bool hasFixedLight() const { return !spectrum_.lines().empty() && !std::holds_alternative<IceMixture>(ice_); }
 
   const Sun& sun() const { return sun_; }
   const Spectrum& spectrum() const { return spectrum_; }
   const std::vector<Population>& populations() const { return populations_; }
 
  private:
-  /// A crystal on its way to be accepted or not.
-  struct Proposal {
-    int population;
-    Crystal crystal;
-    Mat3 crystalToWorld;
-    Vec3 lightDirWorld, lightDirCrystal;
-    Shadows shadows;
-    double interception;  // area / surface: light intercepted per unit of surface
+  /// How crystals are proposed: each population in proportion to weight * bound.
+  struct Pilot {
+    std::vector<double> bound;       // of a population's interception; see IncidenceTable
+    std::vector<double> cumulative;  // of weight * bound, up to 1
   };
-  void setWavelength(IncidentRay& ray, std::uint64_t seed, std::uint64_t index) const;
-  Proposal propose(int population, RandomStream& random) const;
+  void addPilot(Pilot& pilot, const std::vector<double>& bounds) const;
 
   Sun sun_;
+  std::unique_ptr<const SunDisc> disc_;  // none for a point sun
   Spectrum spectrum_;
   IceSettings ice_;
   std::vector<Population> populations_;
-  std::vector<double> bound_;       // of each population's interception; see incidentRay()
-  std::vector<double> cumulative_;  // of weight * bound, up to 1
+  std::vector<FaceTable> faces_;
+  Pilot pilot_[2];  // by Sampler
 };
 
 }  // namespace parhelion

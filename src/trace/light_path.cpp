@@ -2,36 +2,17 @@
 #include "trace/light_path.h"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 #include <glm/geometric.hpp>
 
 #include "math/random.h"
 #include "optics/interface.h"
+#include "trace/path_rule.h"
 
 namespace parhelion {
 
 namespace {
-
-// A path splits at its faces while it carries at least this share of the ray's light; below, it goes one way as a
-// whole, picked by chance. Chosen by variance times time; the mean does not depend on it.
-constexpr double kSplitEnergy = 0.5;
-
-// Thin plates and long columns hold light by total reflection for some thousand encounters. What is still inside after
-// this many counts as cut off.
-constexpr int kMostEncounters = 1'000'000;
-
-// Two directions closer than this (rad) are one: rounding leaves 1e-15 per encounter, and light deviated by less than
-// this is none of any halo's.
-constexpr double kSameDirection = 1e-8;
-
-// Reflections keep a direction's length but for rounding; so many in a row put it off by less than 1e-14.
-constexpr int kRenormalise = 16;
-
-/// A vector that rounding alone has put off its length of 1, brought back to it: one step of Newton's method for
-/// 1 / sqrt leaves the square of the error.
-Vec3 renormalised(const Vec3& v) { return v * (1.5 - 0.5 * glm::dot(v, v)); }
 
 /// Walks one path through its crystal, encounter by encounter. A template, so that the engine is chosen once a path.
 template <class FaceFinder>
@@ -42,10 +23,10 @@ class Walk {
         ray_(path.incident),
         faces_(ray_.crystal.mesh->faces().data()),
         path_(path),
-        splitAbove_(settings.path == PathMode::chance ? std::numeric_limits<double>::infinity() : kSplitEnergy),
-        random_(settings.seed, ray_.bundle, RandomPurpose::path),
+        splitAbove_(ray_.weight * pathRule(settings.path).splitShare),
+        random_(pathRandom(settings.seed, ray_.bundle)),
         into_(ray_.iceIndex),
-        outOf_(1.0 / ray_.iceIndex) {}
+        outOf_(RelativeIndex::outOf(ray_.iceIndex, 1.0 / ray_.iceIndex)) {}
 
   void run() {
     energy_ = ray_.weight;
@@ -70,9 +51,10 @@ class Walk {
   Branches meet(const Vec3& lightDir, double side, double cosTheta_i, const RelativeIndex& index) {
     const Interface face = fresnel(cosTheta_i, index);
     Branches branches;
+    const double random = random_.next();
     if (energy_ >= splitAbove_)
       branches.reflected = energy_ * face.reflectance;
-    else if (random_.next() < face.reflectance)
+    else if (random < face.reflectance)
       branches.reflected = energy_;
     branches.transmitted = energy_ - branches.reflected;
     const Vec3 towardLight = side * normal();
@@ -106,7 +88,7 @@ class Walk {
     ++order_;
 
     const Branches branches = meet(lightDir_, -1.0, hit->cosine, outOf_);
-    lightDir_ = order_ % kRenormalise == 0 ? renormalised(branches.reflectedDir) : branches.reflectedDir;
+    lightDir_ = renormalised(branches.reflectedDir);
     energy_ = branches.reflected;
     leave(branches.transmittedDir, branches.transmitted);
   }
@@ -127,7 +109,7 @@ class Walk {
   const Face* faces_;
   LightPath& path_;
   double splitAbove_;
-  RandomStream random_;
+  PathRandom<double> random_;
 
   RelativeIndex into_, outOf_;
 
@@ -147,21 +129,10 @@ void followLight(const Intersector& engine, const TraceSettings& settings, Light
   std::visit([&](const auto& chosen) { Walk(chosen, settings, path).run(); }, engine);
 }
 
-void followRay(const Cloud& cloud, const Engines& engines, const TraceSettings& settings, std::uint64_t index,
+void followRay(RaySource& source, const Engines& engines, const TraceSettings& settings, std::uint64_t index,
                LightPath& path) {
-  path.incident = cloud.incidentRay(settings.seed, index);
+  path.incident = source.ray(index);
   followLight(engines[path.incident.population], settings, path);
-}
-
-void followBundle(const Cloud& cloud, const Engines& engines, const TraceSettings& settings, std::uint64_t bundle,
-                  std::vector<LightPath>& paths) {
-  const std::uint64_t size = cloud.bundleSize(), first = bundle * size;
-  paths.resize(std::min(size, settings.rays - first));
-  followRay(cloud, engines, settings, first, paths[0]);
-  for (std::uint64_t k = 1; k < paths.size(); ++k) {
-    paths[k].incident = cloud.sibling(paths[0].incident, settings.seed, first + k);
-    followLight(engines[paths[k].incident.population], settings, paths[k]);
-  }
 }
 
 }  // namespace parhelion

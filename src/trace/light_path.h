@@ -4,9 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "trace/cloud.h"
 #include "trace/engine.h"
-#include "trace/trace_settings.h"
+#include "trace/ray_source.h"
 
 namespace parhelion {
 
@@ -47,12 +46,9 @@ struct LightPath {
 /// cutOff plus lost, to rounding.
 void followLight(const Intersector& engine, const TraceSettings& settings, LightPath& path);
 
-/// Draws ray `index` of the sequence settings.seed and follows it.
-void followRay(const Cloud& cloud, const Engines& engines, const TraceSettings& settings, std::uint64_t index,
+/// Draws ray `index` and follows it: one ray of what Wave does to many, with the same bits where the engine is the
+/// same.
+void followRay(RaySource& source, const Engines& engines, const TraceSettings& settings, std::uint64_t index,
                LightPath& path);
-
-/// The same for all rays of a bundle below settings.rays; `paths` is made as long as they are many.
-void followBundle(const Cloud& cloud, const Engines& engines, const TraceSettings& settings, std::uint64_t bundle,
-                  std::vector<LightPath>& paths);
 
 }  // namespace parhelion

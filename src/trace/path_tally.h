@@ -2,19 +2,20 @@
 #pragma once
 
 #include <memory>
-#include <span>
 
-#include "trace/light_path.h"
+#include "trace/traced_rays.h"
 
 namespace parhelion {
 
-/// Something that adds up light paths. Sums are exact integers, so the order of adding and merging leaves no trace.
+/// Something that adds up the light of traced rays. Sums are exact integers, so the order of adding and merging leaves
+/// no trace.
 class PathTally {
  public:
   virtual ~PathTally() = default;
 
-  /// Adds the paths of one bundle: rays that differ in wavelength alone, and whose light is therefore correlated.
-  virtual void add(std::span<const LightPath> bundle) = 0;
+  /// Adds what left the crystals of some bundles. The rays of a bundle differ in wavelength alone; their light is
+  /// correlated.
+  virtual void add(const TracedRays& traced) = 0;
 
   /// An empty tally of the same kind for one thread, to be given to merge() in the end.
   virtual std::unique_ptr<PathTally> forThread() = 0;

@@ -6,6 +6,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "crystal/crystal.h"
 #include "math/portable.h"
 #include "math/rotation.h"
 
@@ -22,41 +23,53 @@ int ScatterProfile::binAt(double angle) const {
   return std::min(static_cast<int>(position), last);
 }
 
-void ScatterProfile::add(std::span<const LightPath> bundle) {
-  deposits_.clear();
-  bundleCosine_ = bundlePath_ = 0.0;
-  for (const LightPath& path : bundle) addPath(path);
-  bins_.add(deposits_);
-  cosine_.add(bundleCosine_);
-  cosineSquared_.add(bundleCosine_ * bundleCosine_);
-  path_.add(bundlePath_);
-  pathSquared_.add(bundlePath_ * bundlePath_);
-  ++bundles_;
+void ScatterProfile::add(const TracedRays& traced) {
+  byBundle_.sort(traced.queue, traced.exits);
+  for (int place = 0; place < traced.queue.count; ++place) {
+    deposits_.clear();
+    bundleCosine_ = bundlePath_ = 0.0;
+    for (int i = byBundle_.begin(place); i < byBundle_.begin(place + 1); ++i) addExit(traced, byBundle_.exit(i));
+    for (int member = 0; member < traced.members; ++member) addRay(traced, member, place);
+    bins_.add(deposits_);
+    cosine_.add(bundleCosine_);
+    cosineSquared_.add(bundleCosine_ * bundleCosine_);
+    path_.add(bundlePath_);
+    pathSquared_.add(bundlePath_ * bundlePath_);
+    ++bundles_;
+  }
 }
 
-void ScatterProfile::addPath(const LightPath& path) {
-  const double light = path.incident.light.light;
-  for (const Exit& exit : path.exits) {
-    const double energy = exit.energy * light;
-    const double angle = exit.undeviated ? 0.0 : angleBetween(path.incident.lightDirWorld, exit.lightDirWorld);
-    if (const int bin = binAt(angle); bin != kNoBin) deposits_.add(bin, energy);
-    bundleCosine_ += energy * (exit.undeviated ? 1.0 : glm::dot(path.incident.lightDirWorld, exit.lightDirWorld));
-    if (exit.undeviated) undeviated_.add(energy);
-    if (exit.order >= static_cast<int>(byOrder_.size())) byOrder_.resize(exit.order + 1);
-    byOrder_[exit.order].add(energy);
-  }
+void ScatterProfile::addExit(const TracedRays& traced, int exit) {
+  const auto& [queue, exits, members, mesh, kernels] = traced;
+  const int ray = static_cast<int>(exits.ray[exit]), place = queue.placeOf(ray);
+  const double energy = exits.energy[exit] * queue.light[ray].light;
+  const bool undeviated = exits.undeviated[exit] != 0.0;
+  const Vec3 incident(queue.lightWorld[0][place], queue.lightWorld[1][place], queue.lightWorld[2][place]);
+  const double angle = undeviated ? 0.0 : angleBetween(incident, exits.lightDir(exit));
+  if (const int bin = binAt(angle); bin != kNoBin) deposits_.add(bin, energy);
+  bundleCosine_ += energy * (undeviated ? 1.0 : glm::dot(incident, exits.lightDir(exit)));
+  if (undeviated) undeviated_.add(energy);
+  const auto order = static_cast<std::size_t>(exits.order[exit]);
+  if (order >= byOrder_.size()) byOrder_.resize(order + 1);
+  byOrder_[order].add(energy);
+}
 
+void ScatterProfile::addRay(const TracedRays& traced, int member, int place) {
+  const RayQueue& queue = traced.queue;
+  const int ray = queue.ray(member, place);
+  const double light = queue.light[ray].light, weight = queue.weight[place];
   ++rays_;
-  intercepted_.add(path.incident.weight * light);
-  bundlePath_ += path.internalPath * light;
-  cutOff_.add(path.cutOff * light);
-  lost_.add(path.lost * light);
+  intercepted_.add(weight * light);
+  bundlePath_ += queue.internalPath[ray] * light;
+  cutOff_.add(queue.cutOff[ray] * light);
+  lost_.add(queue.lost[ray] * light);
   // Rays come to crystals in proportion to A; dividing by it counts crystals.
-  const double perArea = path.incident.weight / path.incident.projectedArea;
-  weight_.add(path.incident.weight);
+  const double perArea = weight / queue.shadow[place];
+  const Crystal crystal{&traced.mesh, queue.stretch[place]};
+  weight_.add(weight);
   perArea_.add(perArea);
-  surfacePerArea_.add(perArea * path.incident.crystal.surface());
-  volumePerArea_.add(perArea * path.incident.crystal.volume());
+  surfacePerArea_.add(perArea * crystal.surface());
+  volumePerArea_.add(perArea * crystal.volume());
 }
 
 std::unique_ptr<PathTally> ScatterProfile::forThread() {

@@ -16,7 +16,7 @@ class ScatterProfile : public PathTally {
   /// `bins` equal bins over [from, to] (rad, within [0, pi]); light outside them counts for the summary only.
   ScatterProfile(int bins, double from, double to);
 
-  void add(std::span<const LightPath> bundle) override;
+  void add(const TracedRays& traced) override;
   std::unique_ptr<PathTally> forThread() override;
   void merge(PathTally& fromThread) override;
 
@@ -44,7 +44,8 @@ class ScatterProfile : public PathTally {
   static constexpr int kNoBin = -1;
   int binAt(double angle) const;
 
-  void addPath(const LightPath& path);
+  void addExit(const TracedRays& traced, int exit);
+  void addRay(const TracedRays& traced, int member, int place);
 
   /// Standard error of `sum` over the intercepted light, from the sum of its squares per bundle.
   double errorOf(const ExactSum& sum, const ExactSum& squares) const;
@@ -52,6 +53,7 @@ class ScatterProfile : public PathTally {
   double from_, width_;
   BundleBins bins_;
   BundleDeposits<double> deposits_;
+  ExitsByBundle byBundle_;
   double bundleCosine_ = 0.0, bundlePath_ = 0.0;  // light times cosine and internal path, of the bundle being added
 
   std::uint64_t rays_ = 0, bundles_ = 0;

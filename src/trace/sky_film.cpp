@@ -3,20 +3,26 @@
 
 namespace parhelion {
 
-void SkyFilm::add(std::span<const LightPath> bundle) {
-  deposits_.clear();
-  for (const LightPath& path : bundle) {
-    const SpectralSample& light = path.incident.light;
-    intercepted_ += toFixed(path.incident.weight * light.light);
-    for (const Exit& exit : path.exits) {
-      if (exit.undeviated)
-        undeviated_ += toFixed(exit.energy * light.light);
-      else if (const auto pixel = camera_.pixelAt(-exit.lightDirWorld))
-        deposits_.add(*pixel, exit.energy * light.xyz);
+void SkyFilm::add(const TracedRays& traced) {
+  const auto& [queue, exits, members, mesh, kernels] = traced;
+  pixel_.resize(exits.count + RayQueue::kSpare);
+  kernels.pixels(camera_, exits, pixel_.data());
+  byBundle_.sort(queue, exits);
+  for (int place = 0; place < queue.count; ++place) {
+    for (int member = 0; member < members; ++member)
+      intercepted_ += toFixed(queue.weight[place] * queue.light[queue.ray(member, place)].light);
+    deposits_.clear();
+    for (int i = byBundle_.begin(place); i < byBundle_.begin(place + 1); ++i) {
+      const int exit = byBundle_.exit(i);
+      const SpectralSample& light = queue.light[static_cast<int>(exits.ray[exit])];
+      if (exits.undeviated[exit] != 0.0)
+        undeviated_ += toFixed(exits.energy[exit] * light.light);
+      else if (pixel_[exit] >= 0)
+        deposits_.add(pixel_[exit], exits.energy[exit] * light.xyz);
     }
+    const bool firstHalf = queue.bundle[place] % 2 == 0;
+    for (const auto& [pixel, xyz] : deposits_.all()) buffer_.add(pixel, xyz, firstHalf);
   }
-  const bool firstHalf = bundle.front().incident.bundle % 2 == 0;
-  for (const auto& [pixel, xyz] : deposits_.all()) buffer_.add(pixel, xyz, firstHalf);
 }
 
 void SkyFilm::merge(PathTally& fromThread) {

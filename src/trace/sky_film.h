@@ -17,7 +17,7 @@ class SkyFilm : public PathTally {
   /// `tally` must outlive the film; its info's camera is the one looked through.
   explicit SkyFilm(Tally& tally) : SkyFilm(tally, std::make_shared<DepositBuffer::Locks>()) {}
 
-  void add(std::span<const LightPath> bundle) override;
+  void add(const TracedRays& traced) override;
   std::unique_ptr<PathTally> forThread() override { return std::unique_ptr<SkyFilm>(new SkyFilm(tally_, locks_)); }
   void merge(PathTally& fromThread) override;
 
@@ -30,6 +30,8 @@ class SkyFilm : public PathTally {
   std::shared_ptr<DepositBuffer::Locks> locks_;
   DepositBuffer buffer_;
   BundleDeposits<Vec3> deposits_;
+  ExitsByBundle byBundle_;
+  std::vector<std::int32_t> pixel_;  // of each exit
   std::int64_t intercepted_ = 0, undeviated_ = 0;
 };
 

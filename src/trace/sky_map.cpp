@@ -19,16 +19,22 @@ int SkyMap::binAt(const Vec3& toSky) const {
   return std::clamp(row, 0, rows() - 1) * columns() + column % columns();
 }
 
-void SkyMap::add(std::span<const LightPath> bundle) {
-  deposits_.clear();
-  for (const LightPath& path : bundle) {
-    const double light = path.incident.light.light;
-    for (const Exit& exit : path.exits)
-      deposits_.add(binAt(exit.undeviated ? toSun_ : -exit.lightDirWorld), exit.energy * light);
-    intercepted_.add(path.incident.weight * light);
+void SkyMap::add(const TracedRays& traced) {
+  const auto& [queue, exits, members, mesh, kernels] = traced;
+  byBundle_.sort(queue, exits);
+  for (int place = 0; place < queue.count; ++place) {
+    deposits_.clear();
+    for (int i = byBundle_.begin(place); i < byBundle_.begin(place + 1); ++i) {
+      const int exit = byBundle_.exit(i);
+      const double light = queue.light[static_cast<int>(exits.ray[exit])].light;
+      const Vec3 toSky = exits.undeviated[exit] != 0.0 ? toSun_ : -exits.lightDir(exit);
+      deposits_.add(binAt(toSky), exits.energy[exit] * light);
+    }
+    for (int member = 0; member < members; ++member)
+      intercepted_.add(queue.weight[place] * queue.light[queue.ray(member, place)].light);
+    bins_.add(deposits_);
+    ++bundles_;
   }
-  bins_.add(deposits_);
-  ++bundles_;
 }
 
 std::unique_ptr<PathTally> SkyMap::forThread() { return std::make_unique<SkyMap>(toSun_, binsPerHalfTurn_); }

@@ -17,7 +17,7 @@ class SkyMap : public PathTally {
   /// `binsPerHalfTurn` columns make 180 degrees: 180 for steps of one degree.
   SkyMap(const Vec3& toSun, int binsPerHalfTurn);
 
-  void add(std::span<const LightPath> bundle) override;
+  void add(const TracedRays& traced) override;
   std::unique_ptr<PathTally> forThread() override;
   void merge(PathTally& fromThread) override;
 
@@ -37,6 +37,7 @@ class SkyMap : public PathTally {
   int binsPerHalfTurn_;
   BundleBins bins_;
   BundleDeposits<double> deposits_;
+  ExitsByBundle byBundle_;
   std::uint64_t bundles_ = 0;
   ExactSum intercepted_;
 };

@@ -16,51 +16,16 @@ namespace parhelion {
 
 namespace {
 
-// Bundles of rays between two looks at the clock and the stop flag: a fraction of a second on one core.
-constexpr std::uint64_t kBatch = 1 << 16;
-// Bundles a thread takes at a time.
-constexpr std::uint64_t kGrain = 512;
+// Waves between two looks at the clock and the stop flag: a fraction of a second on one core.
+constexpr std::uint64_t kBatch = 64;
 
 /// What one thread keeps to itself.
 struct Worker {
   std::unique_ptr<PathTally> tally;
-  std::vector<LightPath> paths;
-  TraceReport report;
-
-  void follow(const Cloud& cloud, const Engines& engines, const TraceSettings& settings, std::uint64_t bundle) {
-    followBundle(cloud, engines, settings, bundle, paths);
-    tally->add(paths);
-    for (const LightPath& path : paths) {
-      report.rays += 1;
-      report.energy.add(path);
-      report.hits += path.hits;
-      report.deposits += path.exits.size();
-      report.rescued += path.rescued;
-    }
-  }
+  std::unique_ptr<Wave> wave;
 };
 
 }  // namespace
-
-void EnergyLedger::add(const LightPath& path) {
-  in.add(path.incident.weight);
-  for (const Exit& exit : path.exits) out.add(exit.energy);
-  cutOff.add(path.cutOff);
-  lost.add(path.lost);
-}
-
-void EnergyLedger::merge(const EnergyLedger& other) {
-  in.merge(other.in);
-  out.merge(other.out);
-  absorbed.merge(other.absorbed);
-  cutOff.merge(other.cutOff);
-  lost.merge(other.lost);
-}
-
-double EnergyLedger::imbalance() const {
-  const double all = in.value();
-  return all > 0.0 ? (all - out.value() - absorbed.value() - cutOff.value() - lost.value()) / all : 0.0;
-}
 
 TraceReport traceRays(const Cloud& cloud, const TraceSettings& settings, std::uint64_t firstRay, PathTally& tally,
                       const TraceControl& control) {
@@ -73,36 +38,44 @@ TraceReport traceRays(const Cloud& cloud, const TraceSettings& settings, std::ui
   const int threads = control.threads > 0 ? std::min(control.threads, 4 * processors) : processors;
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
   tbb::task_arena arena(threads);
-  tbb::enumerable_thread_specific<Worker> workers([&] { return Worker{tally.forThread(), {}, {}}; });
+  const Kernels& kernelsHere = kernels(control.simd);
+  tbb::enumerable_thread_specific<Worker> workers([&] {
+    return Worker{tally.forThread(), std::make_unique<Wave>(cloud, engines, settings, kernelsHere)};
+  });
 
   TraceReport report;
   report.firstRay = firstRay;
   const auto start = std::chrono::steady_clock::now();
-  const std::uint64_t endBundle = (settings.rays + bundleSize - 1) / bundleSize;
+  // The run's last bundle may be cut short; it makes a wave of its own.
+  const std::uint64_t wholeBundles = settings.rays / bundleSize, waveSize = Wave::bundles(cloud);
   std::uint64_t next = firstRay / bundleSize;
-  while (next < endBundle && !report.interrupted) {
-    const std::uint64_t end = std::min(next + kBatch, endBundle);
+  const int rest = static_cast<int>(settings.rays % bundleSize);
+  while (next < wholeBundles && !report.interrupted) {
+    const std::uint64_t end = std::min(next + kBatch * waveSize, wholeBundles);
+    const std::uint64_t waves = (end - next + waveSize - 1) / waveSize;
     arena.execute([&] {
-      tbb::parallel_for(tbb::blocked_range<std::uint64_t>(next, end, kGrain), [&](const auto& block) {
+      tbb::parallel_for(tbb::blocked_range<std::uint64_t>(0, waves, 1), [&](const auto& block) {
         Worker& worker = workers.local();
-        for (std::uint64_t bundle = block.begin(); bundle < block.end(); ++bundle)
-          worker.follow(cloud, engines, settings, bundle);
+        for (std::uint64_t k = block.begin(); k < block.end(); ++k) {
+          const std::uint64_t first = next + k * waveSize, count = std::min(waveSize, end - first);
+          worker.wave->trace(first, static_cast<int>(count), static_cast<int>(bundleSize), *worker.tally);
+        }
       });
     });
     next = end;
     report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     const bool stopped = (control.stop && *control.stop) || report.seconds >= control.timeLimit;
-    report.interrupted = stopped && next < endBundle;
-    if (control.onProgress) control.onProgress(std::min(next * bundleSize, settings.rays) - firstRay, report.seconds);
+    report.interrupted = stopped && (next < wholeBundles || rest > 0);
+    if (control.onProgress) control.onProgress(next * bundleSize - firstRay, report.seconds);
+  }
+  if (rest > 0 && !report.interrupted) {
+    Worker& worker = workers.local();
+    worker.wave->trace(wholeBundles, 1, rest, *worker.tally);
   }
 
   for (Worker& worker : workers) {
     tally.merge(*worker.tally);
-    report.rays += worker.report.rays;
-    report.energy.merge(worker.report.energy);
-    report.hits += worker.report.hits;
-    report.deposits += worker.report.deposits;
-    report.rescued += worker.report.rescued;
+    report.merge(worker.wave->counts());
   }
   return report;
 }

@@ -5,37 +5,22 @@
 #include <functional>
 #include <limits>
 
-#include "math/exact_sum.h"
-#include "trace/path_tally.h"
+#include "trace/wave.h"
 
 namespace parhelion {
 
-/// Where the light of a run went, in units of one ray's light. in = out + absorbed + cutOff + lost, to rounding.
-struct EnergyLedger {
-  ExactSum in, out, absorbed, cutOff, lost;
-
-  void add(const LightPath& path);
-  void merge(const EnergyLedger& other);
-
-  /// in less all the rest, as a share of in.
-  double imbalance() const;
-};
-
-/// What a run did, besides what its tally holds.
-struct TraceReport {
-  std::uint64_t firstRay = 0, rays = 0;  // traced: firstRay ... firstRay + rays - 1
-  std::uint64_t hits = 0;                // ray-face encounters
-  std::uint64_t deposits = 0;            // exits of light
-  std::uint64_t rescued = 0;             // encounters the engine missed and the planes decided
-  EnergyLedger energy;
-  double seconds = 0.0;      // wall clock
-  bool interrupted = false;  // stopped before all rays were traced
+/// How a run went.
+struct TraceReport : TraceCounts {
+  std::uint64_t firstRay = 0;  // traced: firstRay ... firstRay + rays - 1
+  double seconds = 0.0;        // wall clock
+  bool interrupted = false;    // stopped before all rays were traced
 };
 
 /// How a run is watched and stopped. A run stops between batches of rays only, so that what it has traced is a
 /// gapless range of ray indices.
 struct TraceControl {
-  int threads = 0;                                                     // 0: one a processor
+  int threads = 0;  // 0: one a processor
+  Simd simd = Simd::automatic;
   double timeLimit = std::numeric_limits<double>::infinity();          // seconds
   const std::atomic<bool>* stop = nullptr;                             // set by a signal handler, say
   std::function<void(std::uint64_t done, double seconds)> onProgress;  // after each batch, from the calling thread

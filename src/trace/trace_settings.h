@@ -12,11 +12,16 @@ enum class Engine { embree, embreeRobust, planes, automatic };
 /// What happens to light at a face: follow one branch picked by chance, or deposit what leaves and follow the rest.
 enum class PathMode { split, chance };
 
+/// Where the numbers come from that a ray's start is drawn from: independent ones, or Owen-scrambled Sobol' points,
+/// which cover all there is to draw evenly.
+enum class Sampler { random, sobol };
+
 struct TraceSettings {
   std::uint64_t rays = 10'000'000;  // incident rays, all wavelengths together
   std::uint64_t seed = 1;
   Engine engine = Engine::automatic;
   PathMode path = PathMode::split;
+  Sampler sampler = Sampler::random;
 };
 
 /// Fixed-point tallies hold this many rays without overflow even if all their light falls into one bin (fixed_point.h).

@@ -176,7 +176,9 @@ TEST_CASE("the spin of a Lowitz plate is counted from where its c axis is highes
 TEST_CASE("a given azimuth and roll are kept") {
   const AxisOrientation axis{FixedValue{1.0}, FixedValue{2.0}, FixedValue{0.5}};
   const Mat3 expected = crystalOrientation(1.0, 2.0, 0.5);
-  forManyOrientations(axis, 10, [&](const Mat3& m) { CHECK(m == expected); });
+  forManyOrientations(axis, 10, [&](const Mat3& m) {
+    for (int k = 0; k < 3; ++k) CHECK(glm::length(m[k] - expected[k]) < 1e-15);
+  });
 }
 
 TEST_CASE("zenith angles beyond the poles fold back") {

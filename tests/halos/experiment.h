@@ -11,6 +11,7 @@
 
 #include "math/rotation.h"
 #include "statistics.h"
+#include "trace/light_path.h"
 #include "trace/trace.h"
 
 namespace parhelion {
@@ -37,10 +38,11 @@ inline Cloud cloudUnderPointSun(double sunElevation, const std::vector<Populatio
 template <class Look>
 void forEachRay(const Cloud& cloud, std::uint64_t rays, Look&& look, const TraceSettings& settings = {}) {
   const Engines engines = makeEngines(cloud, settings.engine);
+  RaySource source(cloud, settings, 256);
   LightPath path;
   path.recordEncounters = true;
   for (std::uint64_t index = 0; index < rays; ++index) {
-    followRay(cloud, engines, settings, index, path);
+    followRay(source, engines, settings, index, path);
     look(static_cast<const LightPath&>(path));
   }
 }

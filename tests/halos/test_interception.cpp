@@ -36,9 +36,10 @@ void checkShadow(const Cloud& cloud, double expected) {
   constexpr std::uint64_t kRays = 200'000;
   ScatterProfile profile(1, 0.0, kPi);
   traceRays(cloud, {.rays = kRays}, 0, profile);
+  RaySource source(cloud, {}, 256);
   SampleMean perShadow;  // rays come in proportion to the shadow; its inverse counts crystals
   for (std::uint64_t i = 0; i < kRays; ++i) {
-    const IncidentRay ray = cloud.incidentRay(1, i);
+    const IncidentRay ray = source.ray(i);
     perShadow.add(ray.weight / ray.projectedArea);
   }
   const double relativeError = perShadow.standardError() / perShadow.mean();
@@ -68,10 +69,11 @@ TEST_CASE("two populations share the rays by weight times mean shadow over surfa
     const double toColumns = kColumnWeight * columnShadow(kColumnAspect, sun) / surface(kColumnAspect);
     const double expected = toPlates / (toPlates + toColumns);
 
+    RaySource source(cloud, {}, 256);
     SampleMean plates;
     double heaviest = 1.0;
     for (std::uint64_t i = 0; i < 400'000; ++i) {
-      const IncidentRay ray = cloud.incidentRay(1, i);
+      const IncidentRay ray = source.ray(i);
       heaviest = std::max(heaviest, ray.weight);
       plates.add(ray.population == 0 ? ray.weight : 0.0);
     }
@@ -87,9 +89,10 @@ TEST_CASE("a population's weight is its share of surface: spread over aspect rat
       prisms(0.3, RandomOrientation{}, 2.0),
       {"pyramids", 3.0, PyramidSettings{0.4, 0.5, 1.0}, RandomOrientation{}}};
   const Cloud cloud = cloudUnderPointSun(radians(20), populations);
+  RaySource source(cloud, {}, 256);
   SampleMean share[3];
   for (std::uint64_t i = 0; i < 400'000; ++i) {
-    const IncidentRay ray = cloud.incidentRay(1, i);
+    const IncidentRay ray = source.ray(i);
     for (int p = 0; p < 3; ++p) share[p].add(ray.population == p ? ray.weight : 0.0);
   }
   for (int p = 0; p < 3; ++p) CHECK(share[p].sigmasFrom((p + 1) / 6.0) < 4.0);

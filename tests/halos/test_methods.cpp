@@ -80,10 +80,11 @@ TEST_CASE("a ray's wavelength has nothing to do with its way: with one index, al
 TEST_CASE("evenly spread wavelengths have the spectrum's white as their mean, far closer than chance would bring it") {
   const Cloud cloud({radians(25), 0.0, ContinuousSpectrum{}, false}, ConstantIce{kIndex}, mixture());
   constexpr std::uint64_t kFew = 100'000;
+  RaySource source(cloud, {}, 256);
   Vec3 sum(0.0);
   double light = 0.0;
   for (std::uint64_t i = 0; i < kFew; ++i) {
-    const SpectralSample sample = cloud.incidentRay(1, i).light;
+    const SpectralSample sample = source.ray(i).light;
     sum += sample.xyz / double(kFew);
     light += sample.light / double(kFew);
   }

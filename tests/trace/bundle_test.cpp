@@ -47,10 +47,11 @@ TEST_CASE("the rays of a bundle differ in wavelength and in nothing else") {
            {ContinuousSpectrum{}, 2}, {LineSpectrum{{450.0, 550.0, 650.0}}, 3}, {MonochromaticSpectrum{500.0}, 1}}) {
     const Cloud cloud = cloudUnder(spectrum);
     REQUIRE(cloud.bundleSize() == size);
+    RaySource source(cloud, {.seed = 3}, 8);
     for (std::uint64_t bundle = 0; bundle < 50; ++bundle) {
-      const IncidentRay first = cloud.incidentRay(3, bundle * size);
+      const IncidentRay first = source.ray(bundle * size);
       for (int k = 1; k < size; ++k) {
-        const IncidentRay other = cloud.incidentRay(3, bundle * size + k);
+        const IncidentRay other = source.ray(bundle * size + k);
         CHECK(other.bundle == first.bundle);
         CHECK(other.lightDirWorld == first.lightDirWorld);
         CHECK(other.crystalToWorld == first.crystalToWorld);
@@ -58,32 +59,9 @@ TEST_CASE("the rays of a bundle differ in wavelength and in nothing else") {
         CHECK(other.light.wavelength > first.light.wavelength);
         CHECK(other.iceIndex < first.iceIndex);
       }
-      CHECK(cloud.incidentRay(3, (bundle + 1) * size).lightDirCrystal != first.lightDirCrystal);
+      CHECK(source.ray((bundle + 1) * size).lightDirCrystal != first.lightDirCrystal);
     }
   }
-}
-
-TEST_CASE("a bundle is the rays it is made of, also when the last one is cut short") {
-  const Cloud cloud = cloudUnder(LineSpectrum{{450.0, 550.0, 650.0}});
-  const Engines engines = makeEngines(cloud, Engine::embree);
-  TraceSettings settings;
-  settings.rays = 1000;
-  std::vector<LightPath> bundle;
-  LightPath single;
-  std::uint64_t rays = 0;
-  for (std::uint64_t b = 0; 3 * b < settings.rays; ++b) {
-    followBundle(cloud, engines, settings, b, bundle);
-    for (const LightPath& path : bundle) {
-      followRay(cloud, engines, settings, rays, single);
-      REQUIRE(path.incident.index == rays++);
-      REQUIRE(path.exits.size() == single.exits.size());
-      for (std::size_t k = 0; k < path.exits.size(); ++k) {
-        REQUIRE(path.exits[k].lightDirWorld == single.exits[k].lightDirWorld);
-        REQUIRE(path.exits[k].energy == single.exits[k].energy);
-      }
-    }
-  }
-  CHECK(rays == 1000);
 }
 
 TEST_CASE("a pair of wavelengths has a quarter of the colour noise of single rays for a third more luminance noise") {
@@ -100,8 +78,9 @@ TEST_CASE("bundles keep the sun white and their light fair") {
     Vec3 xyz(0.0);
     double light = 0.0;
     constexpr int kRays = 20'000;
+    RaySource source(cloud, {}, 256);
     for (int i = 0; i < kRays; ++i) {
-      const SpectralSample sample = cloud.incidentRay(1, i).light;
+      const SpectralSample sample = source.ray(i).light;
       xyz += sample.xyz / double(kRays);
       light += sample.light / kRays;
     }

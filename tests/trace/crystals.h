@@ -7,6 +7,7 @@
 #include "math/random.h"
 #include "math/rotation.h"
 #include "trace/cloud.h"
+#include "trace/light_path.h"
 #include "trace/trace.h"
 
 namespace parhelion::test {

@@ -150,9 +150,10 @@ TEST_CASE("light parallel to faces goes through without a NaN") {
         for (const double aspect : {0.1, 1.0, 10.0}) {
           const Cloud cloud = simpleCloud({prismPopulation(aspect, orientation)}, elevation);
           const Engines engines = makeEngines(cloud, engine);
+          RaySource source(cloud, {}, 256);
           LightPath path;
           for (int i = 0; i < 2000; ++i) {
-            followRay(cloud, engines, {}, i, path);
+            followRay(source, engines, {}, i, path);
             checkSane(path);
           }
         }
@@ -183,9 +184,10 @@ TEST_CASE("aspect ratios from a thousandth to a thousand lose no ray and no ener
     for (const double aspect : {1e-3, 1e-2, 1e2, 1e3}) {
       const Cloud cloud = simpleCloud({prismPopulation(aspect)});
       const Engines engines = makeEngines(cloud, engine);
+      RaySource source(cloud, {}, 256);
       LightPath path;
       for (int i = 0; i < 5000; ++i) {
-        followRay(cloud, engines, {}, i, path);
+        followRay(source, engines, {}, i, path);
         checkSane(path, 1e-11);
       }
     }
@@ -194,10 +196,11 @@ TEST_CASE("aspect ratios from a thousandth to a thousand lose no ray and no ener
 TEST_CASE("undeviated light stays within a ten-thousandth of a radian of the sun") {
   const Cloud cloud = simpleCloud({prismPopulation(0.3)});
   const Engines engines = makeEngines(cloud, Engine::embree);
+  RaySource source(cloud, {}, 256);
   LightPath path;
   int undeviated = 0;
   for (int i = 0; i < 50'000; ++i) {
-    followRay(cloud, engines, {}, i, path);
+    followRay(source, engines, {}, i, path);
     for (const Exit& exit : path.exits) {
       const double angle = angleBetween(exit.lightDirWorld, path.incident.lightDirWorld);
       if (exit.undeviated) {

@@ -24,10 +24,11 @@ struct Comparison {
   /// Follows the rays of a cloud of one population by both engines until their faces differ.
   void run(const Cloud& cloud, int count) {
     const Engines embree = makeEngines(cloud, Engine::embree), planes = makeEngines(cloud, Engine::planes);
+    RaySource source(cloud, {}, 256);
     LightPath a, b;
     a.recordEncounters = b.recordEncounters = true;
     for (int i = 0; i < count; ++i) {
-      followRay(cloud, embree, {}, i, a);
+      followRay(source, embree, {}, i, a);
       b.incident = a.incident;
       followLight(planes[0], {}, b);
       compare(a, b);

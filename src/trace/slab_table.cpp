@@ -1,40 +1,37 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "trace/planes_intersector.h"
+#include "trace/slab_table.h"
 
+#include <limits>
 #include <stdexcept>
 #include <vector>
 
+#include "trace/intersector.h"
+
 namespace parhelion {
 
-PlanesIntersector::PlanesIntersector(const CrystalMesh& mesh) {
+SlabTable::SlabTable(const CrystalMesh& mesh) {
   if (!mesh.isConvex()) throw std::invalid_argument("the crystal must be convex");
   const auto& faces = mesh.faces();
   std::vector<bool> taken(faces.size());
-  int slabs = 0;
   for (int face = 0; face < static_cast<int>(faces.size()); ++face) {
     if (taken[face]) continue;
     const Vec3& normal = faces[face].normal;
-    double backOffset = kNowhere;
-    int back = kNoFace;
+    x[count] = normal.x;
+    y[count] = normal.y;
+    z[count] = normal.z;
+    frontOffset[count] = faces[face].offset;
+    backOffset[count] = std::numeric_limits<double>::infinity();
+    front[count] = face;
+    back[count] = kNoFace;
+    grows[count] = normal.z != 0.0;
     for (int other = face + 1; other < static_cast<int>(faces.size()); ++other)
       if (faces[other].normal == -normal) {
-        backOffset = faces[other].offset;
-        back = other;
+        backOffset[count] = faces[other].offset;
+        back[count] = other;
         taken[other] = true;
       }
-
-    Slabs& s = slabs_[slabs / kLanes];
-    const int k = slabs++ % kLanes;
-    s.x[k] = normal.x;
-    s.y[k] = normal.y;
-    s.z[k] = normal.z;
-    s.frontOffset[k] = faces[face].offset;
-    s.backOffset[k] = backOffset;
-    (normal.z == 0.0 ? s.fixed : s.grows)[k] = 1.0;
-    s.front[k] = face;
-    s.back[k] = back;
+    ++count;
   }
-  count_ = (slabs + kLanes - 1) / kLanes;
 }
 
 }  // namespace parhelion

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "crystal/crystal_mesh.h"
+
+namespace parhelion {
+
+/// A crystal mesh as plain numbers that lanes can run on.
+struct FaceTable {
+  explicit FaceTable(const CrystalMesh& mesh);
+
+  int faces;
+  int fan;                        // most triangles of a face; each face has as many places in the arrays of triangles
+  std::vector<double> x, y, z;    // outward unit normals
+  std::vector<double> offset;     // normal . point at stretch 1
+  std::vector<double> area;       // at stretch 1
+  std::vector<double> areaGrows;  // 1 where the area grows with the stretch, else 0
+  double surfaceAlongC, surfaceAcrossC;
+
+  // Of triangle j of face i, at i * fan + j. A point of it is corner + s ab + t ac, s + t <= 1.
+  std::vector<double> triangleArea;
+  std::vector<double> triangleLimit;  // the same, infinite for a face's last
+  std::vector<double> cornerX, cornerY, cornerZ, abX, abY, abZ, acX, acY, acZ;
+};
+
+}  // namespace parhelion

@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// Several numbers side by side, on which the same is done to each: the compiler's own vectors. Every lane is worked out
+// in IEEE double precision by the same operations in the same order, so a result does not depend on how many lanes
+// there are. What is written here as a template of a number type T runs on single doubles and on vectors of them alike.
+
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+
+#if defined(__SSE2__)
+#include <immintrin.h>
+#endif
+
+namespace parhelion {
+
+template <int W>
+struct Lanes {
+  using Real [[gnu::vector_size(W * sizeof(double))]] = double;
+  using Mask [[gnu::vector_size(W * sizeof(double))]] = std::int64_t;  // all bits of a lane set or none
+  using Words [[gnu::vector_size(W * sizeof(double))]] = std::uint64_t;
+};
+
+#define PARHELION_INLINE inline __attribute__((always_inline))
+
+/// What belongs to a type of numbers: truth values, and 64-bit words of the same size.
+template <class T>
+struct LaneType {
+  static constexpr int lanes = sizeof(T) / sizeof(double);
+  using Mask = typename Lanes<lanes>::Mask;
+  using Words = typename Lanes<lanes>::Words;
+};
+template <>
+struct LaneType<double> {
+  static constexpr int lanes = 1;
+  using Mask = bool;
+  using Words = std::uint64_t;
+};
+template <class T>
+using MaskOf = typename LaneType<T>::Mask;
+template <class T>
+using WordsOf = typename LaneType<T>::Words;
+
+/// The same bits as another type of the same size.
+template <class To, class From>
+PARHELION_INLINE To bitsAs(const From& from) {
+  static_assert(sizeof(To) == sizeof(From));
+  To to;
+  std::memcpy(&to, &from, sizeof(To));
+  return to;
+}
+
+/// a where `which` holds, else b.
+PARHELION_INLINE double select(bool which, double a, double b) { return which ? a : b; }
+PARHELION_INLINE double select(int which, double a, double b) { return which ? a : b; }  // bool | bool is an int
+template <class Mask, class T>
+PARHELION_INLINE T select(const Mask& which, const T& a, const T& b) {
+  return bitsAs<T>((which & bitsAs<Mask>(a)) | (~which & bitsAs<Mask>(b)));
+}
+
+PARHELION_INLINE double squareRoot(double x) { return std::sqrt(x); }
+template <class T>
+PARHELION_INLINE T squareRoot(const T& x) {
+#if defined(__AVX512F__)
+  if constexpr (sizeof(T) == 64) return _mm512_sqrt_pd(x);
+#endif
+#if defined(__AVX2__)
+  if constexpr (sizeof(T) == 32) return _mm256_sqrt_pd(x);
+#endif
+#if defined(__SSE2__)
+  if constexpr (sizeof(T) == 16) return _mm_sqrt_pd(x);
+#endif
+  T root;
+  for (int k = 0; k < LaneType<T>::lanes; ++k) root[k] = __builtin_sqrt(x[k]);
+  return root;
+}
+
+/// `value` in every lane.
+template <class T>
+PARHELION_INLINE T all(double value) {
+  return T{} + value;
+}
+template <>
+PARHELION_INLINE double all<double>(double value) {
+  return value;
+}
+
+/// The lanes that start at a place in memory, and their way back to it.
+template <class T>
+PARHELION_INLINE T load(const void* from) {
+  T lanes;
+  std::memcpy(&lanes, from, sizeof(T));
+  return lanes;
+}
+template <class T>
+PARHELION_INLINE void store(void* to, const T& lanes) {
+  std::memcpy(to, &lanes, sizeof(T));
+}
+
+/// The lower and the higher of two numbers; b where a is not a number.
+template <class T>
+PARHELION_INLINE T lower(const T& a, const T& b) {
+  return select(a < b, a, b);
+}
+template <class T>
+PARHELION_INLINE T higher(const T& a, const T& b) {
+  return select(a > b, a, b);
+}
+
+/// The nearest whole number, for |x| < 2^51: what is added leaves no digits behind the point.
+template <class T>
+PARHELION_INLINE T nearest(const T& x) {
+  constexpr double kShift = 0x1.8p52;
+  return (x + kShift) - kShift;
+}
+
+/// The largest whole number not above x, for |x| < 2^51.
+template <class T>
+PARHELION_INLINE T wholePart(const T& x) {
+  const T whole = nearest(x);
+  return select(whole > x, whole - 1.0, whole);
+}
+
+/// table[index], lane by lane; the indices are whole numbers from 0 to 2^51.
+PARHELION_INLINE double lookUp(const double* table, double index) { return table[static_cast<std::int64_t>(index)]; }
+template <class T>
+PARHELION_INLINE T lookUp(const double* table, const T& index) {
+  // In 2^52 + index the last bits are the index itself.
+  constexpr std::int64_t kDigits = (std::int64_t{1} << 52) - 1;
+  const MaskOf<T> place = bitsAs<MaskOf<T>>(index + 0x1p52) & kDigits;
+  T found;
+  for (int k = 0; k < LaneType<T>::lanes; ++k) found[k] = table[place[k]];
+  return found;
+}
+
+/// Whether any lane holds.
+PARHELION_INLINE bool anyOf(bool which) { return which; }
+
+/// One bit a lane, the first lane lowest.
+template <class Mask>
+PARHELION_INLINE unsigned bitsOf(const Mask& which) {
+#if defined(__AVX512DQ__)
+  if constexpr (sizeof(Mask) == 64) return _mm512_movepi64_mask(bitsAs<__m512i>(which));
+#endif
+#if defined(__AVX2__)
+  if constexpr (sizeof(Mask) == 32) return static_cast<unsigned>(_mm256_movemask_pd(bitsAs<__m256d>(which)));
+#endif
+#if defined(__SSE2__)
+  if constexpr (sizeof(Mask) == 16) return static_cast<unsigned>(_mm_movemask_pd(bitsAs<__m128d>(which)));
+#endif
+  unsigned bits = 0;
+  for (std::size_t k = 0; k < sizeof(Mask) / sizeof(double); ++k) bits |= static_cast<unsigned>(which[k] & 1) << k;
+  return bits;
+}
+template <class Mask>
+PARHELION_INLINE bool anyOf(const Mask& which) {
+  return bitsOf(which) != 0;
+}
+
+/// Low 32 bits times a number of 32 bits.
+template <class Words>
+PARHELION_INLINE Words product32(const Words& a, std::uint32_t b) {
+#if defined(__AVX512F__)
+  if constexpr (sizeof(Words) == 64) return bitsAs<Words>(_mm512_mul_epu32(bitsAs<__m512i>(a), _mm512_set1_epi64(b)));
+#endif
+#if defined(__AVX2__)
+  if constexpr (sizeof(Words) == 32) return bitsAs<Words>(_mm256_mul_epu32(bitsAs<__m256i>(a), _mm256_set1_epi64x(b)));
+#endif
+#if defined(__SSE2__)
+  if constexpr (sizeof(Words) == 16) return bitsAs<Words>(_mm_mul_epu32(bitsAs<__m128i>(a), _mm_set1_epi64x(b)));
+#endif
+  return (a & 0xFFFFFFFF) * std::uint64_t{b};
+}
+
+/// Puts the lanes that hold side by side: made once for a mask, applied to many numbers.
+template <class T>
+class Compress {
+ public:
+  explicit PARHELION_INLINE Compress(const MaskOf<T>& which) : bits_(bitsOf(which)) {
+#if defined(__AVX2__)
+    if constexpr (sizeof(T) == 32) order_ = load<__m256i>(kOrders[bits_]);
+#endif
+  }
+
+  int count() const { return __builtin_popcount(bits_); }
+
+  /// Writes whole lanes of T from `to` on, of which the first count() are those that hold.
+  PARHELION_INLINE void store(void* to, const T& numbers) const {
+#if defined(__AVX512F__)
+    if constexpr (sizeof(T) == 64) {
+      parhelion::store(to, _mm512_maskz_compress_pd(static_cast<__mmask8>(bits_), numbers));
+      return;
+    }
+#endif
+#if defined(__AVX2__)
+    if constexpr (sizeof(T) == 32) {
+      parhelion::store(to, _mm256_permutevar8x32_epi32(bitsAs<__m256i>(numbers), order_));
+      return;
+    }
+#endif
+    auto* out = static_cast<unsigned char*>(to);
+    for (int k = 0; k < LaneType<T>::lanes; ++k) {
+      const double number = numbers[k];
+      parhelion::store(out, number);
+      out += (bits_ >> k & 1) * sizeof(double);
+    }
+  }
+
+ private:
+  unsigned bits_;
+#if defined(__AVX2__)
+  __m256i order_;
+  // The halves of the lanes that hold, for each of the 16 masks of four lanes.
+  alignas(32) static constexpr std::int32_t kOrders[16][8] = {
+      {0, 0, 0, 0, 0, 0, 0, 0}, {0, 1, 0, 0, 0, 0, 0, 0}, {2, 3, 0, 0, 0, 0, 0, 0}, {0, 1, 2, 3, 0, 0, 0, 0},
+      {4, 5, 0, 0, 0, 0, 0, 0}, {0, 1, 4, 5, 0, 0, 0, 0}, {2, 3, 4, 5, 0, 0, 0, 0}, {0, 1, 2, 3, 4, 5, 0, 0},
+      {6, 7, 0, 0, 0, 0, 0, 0}, {0, 1, 6, 7, 0, 0, 0, 0}, {2, 3, 6, 7, 0, 0, 0, 0}, {0, 1, 2, 3, 6, 7, 0, 0},
+      {4, 5, 6, 7, 0, 0, 0, 0}, {0, 1, 4, 5, 6, 7, 0, 0}, {2, 3, 4, 5, 6, 7, 0, 0}, {0, 1, 2, 3, 4, 5, 6, 7}};
+#endif
+};
+
+/// Three coordinates, as GLM's vectors are for single numbers.
+template <class T>
+struct Triple {
+  T x, y, z;
+};
+template <class T>
+PARHELION_INLINE Triple<T> operator+(const Triple<T>& a, const Triple<T>& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+template <class T>
+PARHELION_INLINE Triple<T> operator-(const Triple<T>& a, const Triple<T>& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+template <class T>
+PARHELION_INLINE Triple<T> operator*(const T& s, const Triple<T>& v) {
+  return {s * v.x, s * v.y, s * v.z};
+}
+template <class T>
+PARHELION_INLINE T dot(const Triple<T>& a, const Triple<T>& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+}  // namespace parhelion

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "image/camera.h"
+#include "math/random.h"
+#include "trace/exit_list.h"
+#include "trace/incidence.h"
+#include "trace/path_rule.h"
+#include "trace/ray_pool.h"
+#include "trace/ray_queue.h"
+#include "trace/slab_table.h"
+
+namespace parhelion {
+
+/// Which vector registers to use. Results are the same bits for all of them.
+enum class Simd { automatic, baseline, avx2, avx512 };
+
+/// Bundles of rays whose start is to be drawn, and how it went.
+struct Proposals {
+  const std::uint64_t* bundle;
+  int count;                // at most IncidenceNumbers::kRoom
+  std::uint64_t* rejected;  // room for count + RayQueue::kSpare
+  int rejectedCount;        // grows
+};
+
+/// Sums over exits and lost paths, in the units of ExactSum.
+struct EnergyUnits {
+  std::int64_t out = 0, lost = 0;
+  int lostPaths = 0;
+};
+
+/// The steps that are taken by many rays at a time, compiled once for each set of vector registers.
+struct Kernels {
+  int lanes;  // doubles side by side
+
+  /// Philox numbers from `firstBlock` on, two a block, into `blocks` pairs of rows.
+  void (*draw)(std::uint64_t seed, RandomPurpose purpose, const std::uint64_t* bundle, int count,
+               std::uint32_t firstBlock, int blocks, IncidenceNumbers& numbers);
+
+  /// Crystals, light and entry points from numbers; the rays taken go to the queue's end.
+  void (*propose)(const IncidenceTable& table, const IncidenceNumbers& numbers, Proposals& proposals, RayQueue& queue);
+
+  /// The outside of the entry faces for all rays of a member of the bundles.
+  void (*enter)(const FaceTable& faces, std::uint64_t seed, PathRule rule, int member, RayQueue& queue, ExitList& exits,
+                EnergyUnits& energy);
+
+  /// The next face of each ray in the pool, by planes.
+  void (*findFaces)(const SlabTable& slabs, RayPool& pool);
+
+  /// What the faces found make of the light.
+  void (*meetFaces)(const FaceTable& faces, RayPool& pool, ExitList& exits, EnergyUnits& energy);
+
+  /// The pixel in which the observer sees each exit, with room for kSpare more; -1 where the camera does not look, and
+  /// for undeviated light.
+  void (*pixels)(const Camera& camera, const ExitList& exits, std::int32_t* pixel);
+};
+
+/// The kernels for the machine's widest registers, or for those named. Throws std::invalid_argument where the machine
+/// does not have them.
+const Kernels& kernels(Simd simd = Simd::automatic);
+
+/// What this machine has of baseline, avx2, avx512.
+std::vector<Simd> simdHere();
+
+}  // namespace parhelion

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <limits>
+
+#include "trace/trace_settings.h"
+
+namespace parhelion {
+
+/// How a path goes on at a face.
+struct PathRule {
+  /// A path splits while it carries at least this share of its ray's light; below, it goes one way as a whole, picked
+  /// by chance. The mean does not depend on it.
+  double splitShare;
+};
+
+/// Half of the light: chosen by variance times time.
+inline PathRule pathRule(PathMode mode) {
+  return {mode == PathMode::chance ? std::numeric_limits<double>::infinity() : 0.5};
+}
+
+// Thin plates and long columns hold light by total reflection for some thousand encounters. What is still inside after
+// this many counts as cut off.
+inline constexpr int kMostEncounters = 1'000'000;
+
+// Two directions closer than this (rad) are one: rounding leaves 1e-15 per encounter, and light deviated by less than
+// this is none of any halo's.
+inline constexpr double kSameDirection = 1e-8;
+
+}  // namespace parhelion

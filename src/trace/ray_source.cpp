@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "trace/ray_source.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace parhelion {
+
+namespace {
+
+// The dimensions of a Sobol' point are the better spread the lower they are: what the light's way through the crystal
+// depends on most comes first.
+constexpr IncidenceNumber kByWeight[] = {kZenith, kRoll,    kAzimuth,   kEntryFace, kEntryS,
+                                         kEntryT, kStretch, kSunRadius, kSunAngle};
+constexpr int kPopulationDimension = std::size(kByWeight);
+
+constexpr int kBlocks = kIncidenceNumbers / 2;
+
+}  // namespace
+
+RaySource::RaySource(const Cloud& cloud, const TraceSettings& settings, int room, const Kernels& kernels)
+    : cloud_(cloud),
+      kernels_(kernels),
+      seed_(settings.seed),
+      room_(room),
+      waiting_(room + RayQueue::kSpare),
+      candidates_(cloud.populations().size()) {
+  if (settings.sampler == Sampler::sobol) sobol_.emplace(settings.seed);
+  for (std::size_t p = 0; p < cloud.populations().size(); ++p) {
+    queues_.emplace_back(room, cloud.bundleSize());
+    if (cloud.hasFixedLight()) setLight(queues_.back());
+  }
+}
+
+void RaySource::draw(std::uint64_t first, int count) {
+  for (RayQueue& queue : queues_) queue.count = 0;
+  waiting_.assign(count, 0);
+  std::iota(waiting_.begin(), waiting_.end(), first);
+  for (int attempt = 0; !waiting_.empty(); ++attempt) {
+    splitByPopulation(attempt);
+    waiting_.clear();
+    for (int p = 0; p < static_cast<int>(queues_.size()); ++p) propose(p, attempt);
+  }
+  first_ = first;
+  places_.clear();
+  if (!cloud_.hasFixedLight())
+    for (RayQueue& queue : queues_) setLight(queue);
+}
+
+/// Deals the waiting bundles out to the populations that they try next.
+void RaySource::splitByPopulation(int attempt) {
+  for (auto& candidates : candidates_) candidates.clear();
+  const std::vector<double>& shares = cloud_.shares(sobol_ ? Sampler::sobol : Sampler::random);
+  const int count = static_cast<int>(waiting_.size()), last = static_cast<int>(shares.size()) - 1;
+  waiting_.resize(count + RayQueue::kSpare);
+  for (int i = 0; i < count; i += IncidenceNumbers::kRoom) {
+    const int some = std::min(IncidenceNumbers::kRoom, count - i);
+    auto& u = numbers_.row[0];
+    if (last > 0 && sobol_)
+      sobol_->fill(&waiting_[i], some, kPopulationDimension, u.data());
+    else if (last > 0)
+      kernels_.draw(seed_, RandomPurpose::population, &waiting_[i], some, attempt, 1, numbers_);
+    for (int k = 0; k < some; ++k) {
+      const auto chosen = last > 0 ? std::ranges::upper_bound(shares, u[k]) - shares.begin() : 0;
+      candidates_[std::min<std::ptrdiff_t>(chosen, last)].push_back(waiting_[i + k]);
+    }
+  }
+}
+
+void RaySource::propose(int population, int attempt) {
+  auto& bundles = candidates_[population];
+  const int count = static_cast<int>(bundles.size());
+  bundles.resize(count + RayQueue::kSpare);
+  const IncidenceTable table = cloud_.incidence(population, sobol_ ? Sampler::sobol : Sampler::random);
+  const std::size_t before = waiting_.size();
+  waiting_.resize(before + count + RayQueue::kSpare);
+  Proposals proposals{nullptr, 0, waiting_.data() + before, 0};
+  for (int i = 0; i < count; i += IncidenceNumbers::kRoom) {
+    proposals.bundle = &bundles[i];
+    proposals.count = std::min(IncidenceNumbers::kRoom, count - i);
+    fill(proposals.bundle, proposals.count, attempt);
+    kernels_.propose(table, numbers_, proposals, queues_[population]);
+  }
+  waiting_.resize(before + proposals.rejectedCount);
+}
+
+/// The numbers for some bundles' attempt.
+void RaySource::fill(const std::uint64_t* bundles, int count, int attempt) {
+  if (sobol_) {
+    for (int d = 0; d < kPopulationDimension; ++d) sobol_->fill(bundles, count, d, numbers_.row[kByWeight[d]].data());
+    return;
+  }
+  // A point sun needs no numbers of its own.
+  kernels_.draw(seed_, RandomPurpose::incidence, bundles, count, kBlocks * attempt,
+                cloud_.sun().isPoint() ? kBlocks - 1 : kBlocks, numbers_);
+}
+
+void RaySource::setLight(RayQueue& queue) {
+  const int count = cloud_.hasFixedLight() ? queue.room : queue.count;
+  for (int member = 0; member < queue.members; ++member)
+    for (int place = 0; place < count; ++place) {
+      const int ray = queue.ray(member, place);
+      queue.light[ray] = cloud_.light(seed_, queue.bundle[place], member);
+      queue.iceIndex[ray] = cloud_.iceIndex(queue.light[ray].wavelength, queue.bundle[place]);
+    }
+}
+
+IncidentRay RaySource::ray(std::uint64_t index) {
+  const std::uint64_t bundle = index / cloud_.bundleSize();
+  if (places_.empty() || bundle < first_ || bundle >= first_ + places_.size()) {
+    draw(bundle, room_);
+    places_.resize(room_);
+    for (int p = 0; p < static_cast<int>(queues_.size()); ++p)
+      for (int place = 0; place < queues_[p].count; ++place) places_[queues_[p].bundle[place] - first_] = {p, place};
+  }
+  const auto [population, place] = places_[bundle - first_];
+  const RayQueue& q = queues_[population];
+  const auto vec = [place = place](const RayQueue::Row* rows) {
+    return Vec3(rows[0][place], rows[1][place], rows[2][place]);
+  };
+  const int ray = q.ray(static_cast<int>(index % cloud_.bundleSize()), place);
+  return {index,
+          bundle,
+          population,
+          {&cloud_.populations()[population].mesh(), q.stretch[place]},
+          Mat3(vec(q.crystalX), vec(q.crystalY), vec(q.crystalZ)),
+          vec(q.lightWorld),
+          vec(q.lightCrystal),
+          {static_cast<int>(q.face[place]), vec(q.point)},
+          q.shadow[place],
+          q.light[ray],
+          q.iceIndex[ray],
+          q.weight[place]};
+}
+
+}  // namespace parhelion

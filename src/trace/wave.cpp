@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "trace/wave.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "math/overloaded.h"
+
+namespace parhelion {
+
+namespace {
+
+/// The next face of each ray in the pool, one ray after the other.
+std::uint64_t findEach(const EmbreeIntersector& engine, const CrystalMesh& mesh, RayPool& pool) {
+  std::uint64_t rescued = 0;
+  for (int i = 0; i < pool.active; ++i) {
+    const Vec3 point(pool.point[0][i], pool.point[1][i], pool.point[2][i]);
+    const Vec3 lightDir(pool.lightDir[0][i], pool.lightDir[1][i], pool.lightDir[2][i]);
+    const auto hit = engine.nextFace({&mesh, pool.stretch[i]}, point, lightDir, static_cast<int>(pool.face[i]));
+    pool.nextFace[i] = hit ? hit->face : kNoFace;
+    pool.distance[i] = hit ? hit->distance : 0.0;
+    pool.cosine[i] = hit ? hit->cosine : 0.0;
+    rescued += hit && hit->rescued;
+  }
+  return rescued;
+}
+
+/// A pool of rays that carry no light, whose numbers harm nobody.
+std::unique_ptr<RayPool> emptyPool() {
+  auto pool = std::make_unique<RayPool>();
+  for (RayPool::Numbers* row : {&pool->iceIndex, &pool->perIceIndex, &pool->splitAbove, &pool->stretch}) row->fill(1.0);
+  return pool;
+}
+
+}  // namespace
+
+void TraceCounts::merge(const TraceCounts& other) {
+  rays += other.rays;
+  hits += other.hits;
+  deposits += other.deposits;
+  rescued += other.rescued;
+  energy.merge(other.energy);
+}
+
+int Wave::bundles(const Cloud& cloud) {
+  constexpr int kRays = 1024;
+  return std::max(32, kRays / cloud.bundleSize()) - RayQueue::kSpare;
+}
+
+Wave::Wave(const Cloud& cloud, const Engines& engines, const TraceSettings& settings, const Kernels& kernels)
+    : cloud_(cloud),
+      engines_(engines),
+      kernels_(kernels),
+      seed_(settings.seed),
+      rule_(pathRule(settings.path)),
+      source_(cloud, settings, bundles(cloud), kernels),
+      pool_(emptyPool()) {}
+
+void Wave::trace(std::uint64_t first, int count, int members, PathTally& tally) {
+  source_.draw(first, count);
+  for (int p = 0; p < static_cast<int>(engines_.size()); ++p) {
+    RayQueue& queue = source_.queues()[p];
+    if (queue.count == 0) continue;
+    follow(queue, p, members);
+    tally.add({queue, exits_, members, cloud_.populations()[p].mesh(), kernels_});
+  }
+}
+
+void Wave::follow(RayQueue& queue, int population, int members) {
+  const FaceTable& faces = cloud_.faces(population);
+  exits_.count = 0;
+  energy_ = {};
+  for (int member = 0; member < members; ++member) {
+    exits_.reserve(queue.count + RayQueue::kSpare);
+    kernels_.enter(faces, seed_, rule_, member, queue, exits_, energy_);
+  }
+  counts_.hits += static_cast<std::uint64_t>(members) * queue.count;
+
+  nextMember_ = nextPlace_ = 0;
+  while (pool_->active < RayPool::kRoom && putNext(queue, members, pool_->active)) ++pool_->active;
+  while (pool_->active > 0) {
+    exits_.reserve(RayPool::kRoom + RayQueue::kSpare);
+    findFaces(population);
+    kernels_.meetFaces(faces, *pool_, exits_, energy_);
+    counts_.hits += pool_->active;
+    refill(queue, members);
+  }
+  count(queue, members);
+}
+
+void Wave::findFaces(int population) {
+  std::visit(Overloaded{[&](const PlanesIntersector& planes) { kernels_.findFaces(planes.slabs(), *pool_); },
+                        [&](const EmbreeIntersector& embree) {
+                          counts_.rescued += findEach(embree, cloud_.populations()[population].mesh(), *pool_);
+                        }},
+             engines_[population]);
+}
+
+/// Puts the queue's next ray that has light inside its crystal at a place of the pool; false when there is none.
+bool Wave::putNext(RayQueue& queue, int members, int place) {
+  for (; nextMember_ < members; ++nextMember_, nextPlace_ = 0)
+    while (nextPlace_ < queue.count) {
+      const int from = nextPlace_++, ray = queue.ray(nextMember_, from);
+      queue.internalPath[ray] = queue.lost[ray] = queue.cutOff[ray] = 0.0;
+      if (queue.energy[ray] <= 0.0) continue;
+      RayPool& pool = *pool_;
+      for (int k = 0; k < 3; ++k) {
+        pool.point[k][place] = queue.point[k][from];
+        pool.lightDir[k][place] = queue.inside[k][ray];
+        pool.lightCrystal[k][place] = queue.lightCrystal[k][from];
+        pool.crystalX[k][place] = queue.crystalX[k][from];
+        pool.crystalY[k][place] = queue.crystalY[k][from];
+        pool.crystalZ[k][place] = queue.crystalZ[k][from];
+      }
+      pool.energy[place] = queue.energy[ray];
+      pool.face[place] = queue.face[from];
+      pool.order[place] = pool.internalPath[place] = pool.lost[place] = 0.0;
+      pool.random0[place] = queue.random0[from];
+      pool.random1[place] = queue.random1[from];
+      pool.ray[place] = ray;
+      pool.stretch[place] = queue.stretch[from];
+      pool.iceIndex[place] = queue.iceIndex[ray];
+      pool.perIceIndex[place] = 1.0 / queue.iceIndex[ray];
+      pool.splitAbove[place] = queue.weight[from] * rule_.splitShare;
+      return true;
+    }
+  return false;
+}
+
+/// Gives the places of rays that have ended to the next ones, or to the last of the pool.
+void Wave::refill(RayQueue& queue, int members) {
+  // From the back, so that the last ray of the pool is never one that has ended.
+  for (int k = pool_->endedCount - 1; k >= 0; --k) {
+    const int place = static_cast<int>(pool_->ended[k]);
+    settle(queue, place);
+    if (putNext(queue, members, place)) continue;
+    const int last = --pool_->active;
+    if (place == last) continue;
+    pool_->move(last, place);
+    pool_->energy[last] = 0.0;
+  }
+}
+
+/// Writes down what became of a ray that has ended.
+void Wave::settle(RayQueue& queue, int place) {
+  const int ray = static_cast<int>(pool_->ray[place]);
+  queue.internalPath[ray] = pool_->internalPath[place];
+  queue.lost[ray] = pool_->lost[place];
+  const double left = std::exchange(pool_->energy[place], 0.0);
+  queue.cutOff[ray] = left;
+  if (left > 0.0) counts_.energy.cutOff.add(left);
+}
+
+void Wave::count(const RayQueue& queue, int members) {
+  counts_.rays += static_cast<std::uint64_t>(members) * queue.count;
+  counts_.deposits += exits_.count;
+  counts_.hits -= energy_.lostPaths;
+  for (int place = 0; place < queue.count; ++place) counts_.energy.in.add(members * queue.weight[place]);
+  counts_.energy.out.addUnits(energy_.out);
+  counts_.energy.lost.addUnits(energy_.lost);
+}
+
+}  // namespace parhelion
