@@ -87,6 +87,13 @@ void RunOptions::addTo(CLI::App& command, bool hasImage) {
   command.add_option("--engine", engine, "What finds the next face of a crystal")
       ->type_name("NAME")
       ->check(nameOfOne<Engine>(kEngineNames));
+  command.add_option("--sampler", sampler, "Where the numbers come from that rays are drawn from")
+      ->type_name("NAME")
+      ->check(nameOfOne<Sampler>(kSamplerNames));
+  if (hasImage)
+    command.add_option("--symmetry", symmetry, "Symmetry of the sky to make use of")
+        ->type_name("NAME")
+        ->check(nameOfOne<Symmetry>(kSymmetryNames));
   if (hasImage)
     command.add_option("--resolution", resolution, "Size of the picture in pixels")
         ->type_name("WxH")
@@ -97,6 +104,9 @@ void RunOptions::addTo(CLI::App& command, bool hasImage) {
   command.add_option("--nthreads", threads, "Threads; as many as there are processors when left out")
       ->type_name("N")
       ->check(CLI::Range(1, 4096));
+  command.add_option("--simd", simd, "Vector registers to use; the picture is the same with all of them")
+      ->type_name("NAME")
+      ->check(nameOfOne<Simd>(kSimdNames));
   command.add_flag("--quiet", quiet, "No progress and no ledger on stderr");
   command.add_option("--progress", progress, "Progress as lines of JSON, for farms")
       ->check(CLI::IsMember({"auto", "json"}));
@@ -108,6 +118,8 @@ LoadedScene RunOptions::load() const {
   if (!rays.empty()) all.push_back("trace.rays=" + std::to_string(parseRayCount(rays)));
   if (!seed.empty()) all.push_back("trace.seed=" + seed);
   if (!engine.empty()) all.push_back("trace.engine='" + engine + "'");
+  if (!sampler.empty()) all.push_back("trace.sampler='" + sampler + "'");
+  if (!symmetry.empty()) all.push_back("trace.symmetry='" + symmetry + "'");
   if (!resolution.empty()) {
     std::string size = resolution;
     size.replace(size.find('x'), 1, ",");
@@ -127,6 +139,7 @@ RunResult runTrace(const RunOptions& options, const Scene& scene, const Cloud& c
                                                                    : Progress::Style::people);
   TraceControl control;
   control.threads = options.threads;
+  control.simd = valueOf<Simd>(options.simd);
   control.timeLimit = options.timeLimit;
   control.stop = &stop.requested();
   control.onProgress = [&](std::uint64_t done, double seconds) { progress.update(done, seconds); };

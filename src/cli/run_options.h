@@ -19,10 +19,12 @@ namespace parhelion::cli {
 /// What all commands that trace have in common.
 struct RunOptions {
   std::string scene;
-  std::vector<std::string> overrides;          // -D key=value
-  std::string rays, seed, resolution, engine;  // turned into overrides by load(); empty: what the scene says
+  std::vector<std::string> overrides;  // -D key=value
+  // Turned into overrides by load(); empty: what the scene says.
+  std::string rays, seed, resolution, engine, sampler, symmetry;
   double timeLimit = std::numeric_limits<double>::infinity();  // s
   int threads = 0;
+  std::string simd = "auto";
   bool quiet = false;
   std::string progress = "auto";  // "auto", "json"
   std::string stats;              // file for the run's figures; empty: none

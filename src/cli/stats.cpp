@@ -47,8 +47,12 @@ void writeStats(const std::string& path, const Scene& scene, const TraceReport& 
   json["seconds"] = report.seconds;
   json["cpu_seconds"] = usage.cpuSeconds;
   json["rays_per_second"] = report.seconds > 0.0 ? rays / report.seconds : 0.0;
+  json["deposits_placed"] = report.placed;
   json["engine"] = nameOf(scene.trace.engine);
   json["path"] = nameOf(scene.trace.path);
+  json["sampler"] = nameOf(scene.trace.sampler);
+  json["symmetry"] = nameOf(scene.trace.symmetry);
+  json["simd_lanes"] = report.simdLanes;
   json["seed"] = scene.trace.seed;
   json["threads"] = threadCount(threads);
   json["peak_memory_bytes"] = usage.peakMemory;

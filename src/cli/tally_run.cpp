@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/tally_run.h"
 
-#include "trace/sky_film.h"
+#include "trace/film.h"
 
 namespace parhelion::cli {
 
@@ -16,9 +16,11 @@ TallyRun traceTally(const RunOptions& options, const LoadedScene& loaded, const 
   info.scene = loaded.text;
   info.version = PARHELION_VERSION;
 
+  Scene chosen = scene;
+  chosen.trace.symmetry = symmetryOf(cloud, scene.trace.symmetry);
   TallyRun run{Tally(info, cloud.spectrum().colours()), {}};
-  SkyFilm film(run.tally);
-  run.result = runTrace(options, scene, cloud, film, stop);
+  const auto film = makeFilm(run.tally, cloud, chosen.trace.symmetry);
+  run.result = runTrace(options, chosen, cloud, *film, stop);
   if (run.result.report.rays > 0) run.tally.info.rays = {{run.result.report.firstRay, run.result.report.rays}};
   return run;
 }

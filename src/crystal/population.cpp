@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "crystal/shapes.h"
+#include "crystal/symmetry.h"
 
 namespace parhelion {
 
@@ -16,7 +17,11 @@ AngleDistribution widen(const AspectDistribution& aspect) {
 }  // namespace
 
 Population::Population(const PopulationSettings& settings)
-    : name_(settings.name), weight_(settings.weight), orientation_(settings.orientation) {
+    : name_(settings.name),
+      weight_(settings.weight),
+      mirrorSymmetric_(parhelion::isMirrorSymmetric(settings)),
+      fullyRandom_(parhelion::isFullyRandom(settings)),
+      orientation_(settings.orientation) {
   if (!(weight_ >= 0.0)) throw std::invalid_argument("a population's weight must not be negative");
   if (const auto* pyramid = std::get_if<PyramidSettings>(&settings.shape)) {
     mesh_ = std::make_shared<CrystalMesh>(hexagonalPyramid(*pyramid));

@@ -18,6 +18,8 @@ class Population {
 
   const std::string& name() const { return name_; }
   double weight() const { return weight_; }
+  bool isMirrorSymmetric() const { return mirrorSymmetric_; }
+  bool isFullyRandom() const { return fullyRandom_; }
   const CrystalMesh& mesh() const { return *mesh_; }
 
   /// A crystal for one number in (0, 1); not used when all are alike. Aspect ratios are spread over shares of surface.
@@ -33,6 +35,7 @@ class Population {
  private:
   std::string name_;
   double weight_;
+  bool mirrorSymmetric_, fullyRandom_;  // crystal/symmetry.h
   std::shared_ptr<const CrystalMesh> mesh_;  // at its only aspect ratio, or at aspect 1 to be stretched
   std::optional<ValueSampler> aspect_;       // when it is spread
   OrientationSampler orientation_;

@@ -103,7 +103,8 @@ std::string describe(const CameraSettings& camera) {
 
 std::string describe(const TraceSettings& trace) {
   return std::to_string(trace.rays) + " rays, seed " + std::to_string(trace.seed) + ", engine " +
-         std::string(nameOf(trace.engine)) + ", path " + std::string(nameOf(trace.path));
+         std::string(nameOf(trace.engine)) + ", path " + std::string(nameOf(trace.path)) + ", sampler " +
+         std::string(nameOf(trace.sampler)) + ", symmetry " + std::string(nameOf(trace.symmetry));
 }
 
 std::string row(const std::string& title, const std::string& text) {

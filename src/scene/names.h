@@ -35,6 +35,22 @@ inline constexpr auto kPathModeNames = std::to_array<Named<PathMode>>({
     {"split", PathMode::split},
     {"chance", PathMode::chance},
 });
+inline constexpr auto kSimdNames = std::to_array<Named<Simd>>({
+    {"auto", Simd::automatic},
+    {"baseline", Simd::baseline},
+    {"avx2", Simd::avx2},
+    {"avx512", Simd::avx512},
+});
+inline constexpr auto kSamplerNames = std::to_array<Named<Sampler>>({
+    {"random", Sampler::random},
+    {"sobol", Sampler::sobol},
+});
+inline constexpr auto kSymmetryNames = std::to_array<Named<Symmetry>>({
+    {"auto", Symmetry::automatic},
+    {"none", Symmetry::none},
+    {"mirror", Symmetry::mirror},
+    {"radial", Symmetry::radial},
+});
 inline constexpr auto kReconMethodNames = std::to_array<Named<ReconMethod>>({
     {"adaptive", ReconMethod::adaptive},
     {"none", ReconMethod::none},
@@ -86,6 +102,9 @@ inline constexpr auto kOrientationNames = std::to_array<Named<OrientationName>>(
 /// All names of the enumeration that the argument belongs to.
 constexpr std::span<const Named<Engine>> namesOf(Engine) { return kEngineNames; }
 constexpr std::span<const Named<PathMode>> namesOf(PathMode) { return kPathModeNames; }
+constexpr std::span<const Named<Simd>> namesOf(Simd) { return kSimdNames; }
+constexpr std::span<const Named<Sampler>> namesOf(Sampler) { return kSamplerNames; }
+constexpr std::span<const Named<Symmetry>> namesOf(Symmetry) { return kSymmetryNames; }
 constexpr std::span<const Named<ReconMethod>> namesOf(ReconMethod) { return kReconMethodNames; }
 constexpr std::span<const Named<HitReading>> namesOf(HitReading) { return kHitReadingNames; }
 constexpr std::span<const Named<KernelGain>> namesOf(KernelGain) { return kKernelGainNames; }
@@ -104,6 +123,15 @@ constexpr std::string_view nameOf(E value) {
     if (named == value) return name;
   }
   return {};
+}
+
+/// The value of a word that nameOf() has for it.
+template <class E>
+constexpr E valueOf(std::string_view name) {
+  for (const auto& named : namesOf(E{})) {
+    if (named.name == name) return named.value;
+  }
+  return E{};
 }
 
 /// The method that the settings are of.

@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "crystal/symmetry.h"
 #include "scene/overrides.h"
 #include "scene/scene_keys.h"
 #include "scene/text_guard.h"
@@ -35,6 +36,19 @@ toml::table parseToml(std::string_view text, std::string_view fileName, Complain
   return {};
 }
 
+/// Complains where a symmetry is asked for that a population does not have.
+void checkSymmetry(const toml::table& root, const Scene& scene, Complaints& complaints) {
+  const bool mirror = scene.trace.symmetry == Symmetry::mirror, radial = scene.trace.symmetry == Symmetry::radial;
+  if (!mirror && !radial) return;
+  const auto* odd = firstWithout(mirror ? &isMirrorSymmetric : &isFullyRandom, scene.populations);
+  const toml::node* node = root["trace"]["symmetry"].node();
+  if (!odd || !node) return;
+  complaints.add(placeOf(node->source(), complaints),
+                 mirror ? "the population '" + odd->name + "' is not its own mirror image in the sun's vertical plane"
+                        : "the population '" + odd->name + "' is not in random orientation",
+                 "leave 'symmetry' out, and what can be used will be");
+}
+
 Scene readScene(const toml::table& root, Complaints& complaints) {
   Scene scene;
   TableReader reader(root, "", complaints);
@@ -43,6 +57,7 @@ Scene readScene(const toml::table& root, Complaints& complaints) {
   if (!reader.has("population")) {
     complaints.add({}, "a scene needs at least one population", "begin each population with [[population]]");
   }
+  checkSymmetry(root, scene, complaints);
   return scene;
 }
 

@@ -126,6 +126,11 @@ void visitKeys(Visitor& v, TraceSettings& trace) {
   v.key("engine", Choice<Engine>{}, trace.engine, "What finds the next face of a crystal.");
   v.key("path", Choice<PathMode>{}, trace.path,
         "At a face: deposit what leaves and follow the rest (\"split\"), or follow one branch picked by chance.");
+  v.key("sampler", Choice<Sampler>{}, trace.sampler,
+        "Where the numbers come from that rays are drawn from: independent ones, or scrambled Sobol' points.");
+  v.key("symmetry", Choice<Symmetry>{}, trace.symmetry,
+        "Symmetry of the sky to make use of: rays count as their mirror images, too (\"mirror\"), or for whole rings "
+        "about the sun (\"radial\"); \"auto\" takes the most that the populations allow.");
 }
 
 /// [recon] as its keys say it; recon_kind.cpp makes ReconSettings of it.

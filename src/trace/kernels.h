@@ -12,11 +12,9 @@
 #include "trace/ray_pool.h"
 #include "trace/ray_queue.h"
 #include "trace/slab_table.h"
+#include "trace/trace_settings.h"
 
 namespace parhelion {
-
-/// Which vector registers to use. Results are the same bits for all of them.
-enum class Simd { automatic, baseline, avx2, avx512 };
 
 /// Bundles of rays whose start is to be drawn, and how it went.
 struct Proposals {
@@ -53,9 +51,9 @@ struct Kernels {
   /// What the faces found make of the light.
   void (*meetFaces)(const FaceTable& faces, RayPool& pool, ExitList& exits, EnergyUnits& energy);
 
-  /// The pixel in which the observer sees each exit, with room for kSpare more; -1 where the camera does not look, and
-  /// for undeviated light.
-  void (*pixels)(const Camera& camera, const ExitList& exits, std::int32_t* pixel);
+  /// The pixel in which the observer sees each exit, or its mirror image in the sun's vertical plane, with room for
+  /// kSpare more; -1 where the camera does not look, and for undeviated light.
+  void (*pixels)(const Camera& camera, bool mirrored, const ExitList& exits, std::int32_t* pixel);
 };
 
 /// The kernels for the machine's widest registers, or for those named. Throws std::invalid_argument where the machine

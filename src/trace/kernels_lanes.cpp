@@ -335,12 +335,13 @@ void meetFaces(const FaceTable& faces, RayPool& pool, ExitList& exits, EnergyUni
   energy.lost += lost.total();
 }
 
-void pixels(const Camera& camera, const ExitList& exits, std::int32_t* pixel) {
+void pixels(const Camera& camera, bool mirrored, const ExitList& exits, std::int32_t* pixel) {
   const Lens lens = camera.lens();
+  const double side = mirrored ? 1.0 : -1.0;
   for (int i = 0; i < exits.count; i += kLanes) {
     const Triple<Real> light{load<Real>(&exits.lightDirWorld[0][i]), load<Real>(&exits.lightDirWorld[1][i]),
                              load<Real>(&exits.lightDirWorld[2][i])};
-    const auto place = lens.project<Real>({-light.x, -light.y, -light.z});
+    const auto place = lens.project<Real>({-light.x, side * light.y, -light.z});
     const Mask seen = place.inside & (load<Real>(&exits.undeviated[i]) == 0.0);
     const Real index = wholePart(place.y) * lens.width + wholePart(place.x);
     const Real found = select(seen, index, all<Real>(-1.0));

@@ -23,7 +23,7 @@ int ScatterProfile::binAt(double angle) const {
   return std::min(static_cast<int>(position), last);
 }
 
-void ScatterProfile::add(const TracedRays& traced) {
+int ScatterProfile::add(const TracedRays& traced) {
   byBundle_.sort(traced.queue, traced.exits);
   for (int place = 0; place < traced.queue.count; ++place) {
     deposits_.clear();
@@ -37,6 +37,7 @@ void ScatterProfile::add(const TracedRays& traced) {
     pathSquared_.add(bundlePath_ * bundlePath_);
     ++bundles_;
   }
+  return traced.exits.count;
 }
 
 void ScatterProfile::addExit(const TracedRays& traced, int exit) {

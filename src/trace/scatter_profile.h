@@ -16,7 +16,7 @@ class ScatterProfile : public PathTally {
   /// `bins` equal bins over [from, to] (rad, within [0, pi]); light outside them counts for the summary only.
   ScatterProfile(int bins, double from, double to);
 
-  void add(const TracedRays& traced) override;
+  int add(const TracedRays& traced) override;
   std::unique_ptr<PathTally> forThread() override;
   void merge(PathTally& fromThread) override;
 

@@ -19,7 +19,7 @@ int SkyMap::binAt(const Vec3& toSky) const {
   return std::clamp(row, 0, rows() - 1) * columns() + column % columns();
 }
 
-void SkyMap::add(const TracedRays& traced) {
+int SkyMap::add(const TracedRays& traced) {
   const auto& [queue, exits, members, mesh, kernels] = traced;
   byBundle_.sort(queue, exits);
   for (int place = 0; place < queue.count; ++place) {
@@ -35,6 +35,7 @@ void SkyMap::add(const TracedRays& traced) {
     bins_.add(deposits_);
     ++bundles_;
   }
+  return exits.count;
 }
 
 std::unique_ptr<PathTally> SkyMap::forThread() { return std::make_unique<SkyMap>(toSun_, binsPerHalfTurn_); }

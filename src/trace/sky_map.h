@@ -17,7 +17,7 @@ class SkyMap : public PathTally {
   /// `binsPerHalfTurn` columns make 180 degrees: 180 for steps of one degree.
   SkyMap(const Vec3& toSun, int binsPerHalfTurn);
 
-  void add(const TracedRays& traced) override;
+  int add(const TracedRays& traced) override;
   std::unique_ptr<PathTally> forThread() override;
   void merge(PathTally& fromThread) override;
 

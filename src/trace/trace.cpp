@@ -45,6 +45,7 @@ TraceReport traceRays(const Cloud& cloud, const TraceSettings& settings, std::ui
 
   TraceReport report;
   report.firstRay = firstRay;
+  report.simdLanes = kernelsHere.lanes;
   const auto start = std::chrono::steady_clock::now();
   // The run's last bundle may be cut short; it makes a wave of its own.
   const std::uint64_t wholeBundles = settings.rays / bundleSize, waveSize = Wave::bundles(cloud);
@@ -77,6 +78,7 @@ TraceReport traceRays(const Cloud& cloud, const TraceSettings& settings, std::ui
     tally.merge(*worker.tally);
     report.merge(worker.wave->counts());
   }
+  tally.finish();
   return report;
 }
 

@@ -12,6 +12,7 @@ namespace parhelion {
 /// How a run went.
 struct TraceReport : TraceCounts {
   std::uint64_t firstRay = 0;  // traced: firstRay ... firstRay + rays - 1
+  int simdLanes = 1;           // doubles side by side in the vector registers used
   double seconds = 0.0;        // wall clock
   bool interrupted = false;    // stopped before all rays were traced
 };

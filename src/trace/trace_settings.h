@@ -16,12 +16,21 @@ enum class PathMode { split, chance };
 /// which cover all there is to draw evenly.
 enum class Sampler { random, sobol };
 
+/// Which vector registers to use. Results are the same bits for all of them.
+enum class Simd { automatic, baseline, avx2, avx512 };
+
+/// What of the sky's symmetry a run makes use of. `mirror`: every ray counts as its mirror image in the vertical plane
+/// through the sun, too. `radial`: light is counted by its angle from the sun alone and spread over whole rings.
+/// `automatic` takes the most that the populations allow.
+enum class Symmetry { automatic, none, mirror, radial };
+
 struct TraceSettings {
   std::uint64_t rays = 10'000'000;  // incident rays, all wavelengths together
   std::uint64_t seed = 1;
   Engine engine = Engine::automatic;
   PathMode path = PathMode::split;
   Sampler sampler = Sampler::random;
+  Symmetry symmetry = Symmetry::automatic;
 };
 
 /// Fixed-point tallies hold this many rays without overflow even if all their light falls into one bin (fixed_point.h).

@@ -38,6 +38,7 @@ void TraceCounts::merge(const TraceCounts& other) {
   rays += other.rays;
   hits += other.hits;
   deposits += other.deposits;
+  placed += other.placed;
   rescued += other.rescued;
   energy.merge(other.energy);
 }
@@ -62,7 +63,7 @@ void Wave::trace(std::uint64_t first, int count, int members, PathTally& tally) 
     RayQueue& queue = source_.queues()[p];
     if (queue.count == 0) continue;
     follow(queue, p, members);
-    tally.add({queue, exits_, members, cloud_.populations()[p].mesh(), kernels_});
+    counts_.placed += tally.add({queue, exits_, members, cloud_.populations()[p].mesh(), kernels_});
   }
 }
 

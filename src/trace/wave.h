@@ -15,6 +15,7 @@ struct TraceCounts {
   std::uint64_t rays = 0;
   std::uint64_t hits = 0;      // ray-face encounters
   std::uint64_t deposits = 0;  // exits of light
+  std::uint64_t placed = 0;    // PathTally::add()
   std::uint64_t rescued = 0;   // encounters the engine missed and the planes decided
   EnergyLedger energy;
 

@@ -26,10 +26,11 @@ Cloud freePrisms(double aspect, double index = kIndex) {
 struct InternalPaths : PathTally {
   std::vector<double> means;
 
-  void add(const TracedRays& traced) override {
+  int add(const TracedRays& traced) override {
     const RayQueue& queue = traced.queue;
     const double sum = std::accumulate(queue.internalPath.begin(), queue.internalPath.begin() + queue.count, 0.0);
     means.push_back(sum / queue.count);
+    return traced.exits.count;
   }
   std::unique_ptr<PathTally> forThread() override { return std::make_unique<InternalPaths>(); }
   void merge(PathTally& other) override {

@@ -19,7 +19,7 @@ TEST_CASE("a summary shows a scene in degrees, one line a population") {
       "population  free: 40 % of the surface; prism, aspect 2; c axis at zenith angle 90°; azimuth free; roll 0°, "
       "normal, sigma 5°\n"
       "camera      fisheye-equal-area toward azimuth 0°, elevation 90°, roll 0°; 180° horizontal, 1024 x 1024 pixels\n"
-      "trace       10000000 rays, seed 1, engine embree, path split\n"
+      "trace       10000000 rays, seed 1, engine embree, path split, sampler random, symmetry auto\n"
       "recon       adaptive\n");
 }
 

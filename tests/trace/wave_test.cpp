@@ -21,7 +21,7 @@ struct Recorder : PathTally {
   std::map<std::uint64_t, std::vector<Left>> left;
   std::map<std::uint64_t, double> internalPath;
 
-  void add(const TracedRays& traced) override {
+  int add(const TracedRays& traced) override {
     const RayQueue& queue = traced.queue;
     const auto indexOf = [&](int ray) {
       return queue.bundle[queue.placeOf(ray)] * queue.members + static_cast<std::uint64_t>(ray / queue.room);
@@ -37,6 +37,7 @@ struct Recorder : PathTally {
         const int ray = queue.ray(member, place);
         internalPath[indexOf(ray)] = queue.internalPath[ray];
       }
+    return traced.exits.count;
   }
   std::unique_ptr<PathTally> forThread() override { return std::make_unique<Recorder>(); }
   void merge(PathTally& other) override {

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+
+namespace parhelion::bench {
+
+/// How much of tracing is measured, and where things are.
+struct RaysPlan {
+  bool quick = false;
+  std::filesystem::path source;   // root of the repository
+  std::filesystem::path tallies;  // references traced already, or to be
+  std::filesystem::path results;  // for tables
+
+  /// Seconds that one measurement of speed takes.
+  double seconds() const { return quick ? 0.2 : 1.2; }
+};
+
+// The parts of the benchmark, each writing files of its own into the plan's results.
+
+/// Speed of each engine against how often it names a wrong face or none.
+void measureEngines(const RaysPlan& plan);
+/// Error of the picture against the time of its rays.
+void measureErrorByTime(const RaysPlan& plan);
+/// Speed and memory against threads and picture size, and the ways in which threads may share a tally.
+void measureScaling(const RaysPlan& plan);
+/// Where the inner edge of the 22 degree ring is found, by the number of rays.
+void measureRingPosition(const RaysPlan& plan);
+
+}  // namespace parhelion::bench

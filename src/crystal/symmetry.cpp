@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "crystal/symmetry.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "math/overloaded.h"
+
+// With M = diag(1, -1, 1), R(zenith, azimuth, roll) of rotation.h and a crystal K, which M leaves as it is:
+//   M R(z, a, r) K = R(z, -a, -r) K                  M turns rotations about y as they are, those about z around,
+//   R(z, a, r) K = R(z, a, r + 60 degrees) K         K has a sixfold axis,
+//   R(z, a, r) K = R(pi - z, a + pi, -r) K           for a K whose ends are alike: the c axis seen from its other end.
+// A Lowitz plate is Rz(a) Rx(t) Ry(s), t = pi/2 - zenith of its axis, with any azimuth a. Rz(pi) leaves K as it is and
+// turns t and s around, so that
+//   M Rz(a) Rx(t) Ry(s) K = Rz(-a) Rx(-t) Ry(s) K = Rz(pi - a) Rx(t) Ry(-s) K.
+
+namespace parhelion {
+
+namespace {
+
+// Degrees of a scene file become radians with a few 1e-16; a spread off by this much moves nothing that can be seen.
+constexpr double kAngleSlack = 1e-12;
+
+bool isMultipleOf(double x, double period) { return std::abs(std::remainder(x, period)) < kAngleSlack; }
+
+/// The value about which a distribution is symmetric: all of them are, about their mean.
+double centreOf(const AngleDistribution& distribution) {
+  return std::visit(
+      Overloaded{[](const FixedValue& d) { return d.value; },
+                 [](const UniformRange& d) { return 0.5 * (d.from + d.to); }, [](const auto& d) { return d.mean; }},
+      distribution);
+}
+
+/// Uniform over whole periods.
+bool isFree(const AngleDistribution& distribution, double period) {
+  const auto* range = std::get_if<UniformRange>(&distribution);
+  return range && std::abs(range->to - range->from) > kAngleSlack && isMultipleOf(range->to - range->from, period);
+}
+
+/// Unchanged by angle -> 2 `about` - angle, angles that differ by `period` being the same.
+bool isEven(const AngleDistribution& distribution, double about, double period) {
+  return isFree(distribution, period) || isMultipleOf(2.0 * (centreOf(distribution) - about), period);
+}
+
+/// The same for a zenith angle about the horizon. Zenith angles are cut off at the poles, hence without period.
+bool isEvenAboutHorizon(const AngleDistribution& zenith) {
+  return std::abs(centreOf(zenith) - 0.5 * kPi) < kAngleSlack;
+}
+
+/// Whether the crystal is its own mirror image in the plane across c.
+bool hasEndsAlike(const ShapeSettings& shape) {
+  return std::visit(Overloaded{[](const PrismSettings&) { return true; },
+                               [](const PyramidSettings& p) { return p.upper == p.lower; }},
+                    shape);
+}
+
+bool isMirrorSymmetric(const AxisOrientation& axis, bool endsAlike) {
+  constexpr double kTurn = 2.0 * kPi, kSixth = kPi / 3.0;
+  if (isEven(axis.azimuth, 0.0, kTurn) && isEven(axis.roll, 0.0, kSixth)) return true;
+  // With the ends exchanged the mirror image of (z, a, r) is (pi - z, pi - a, r), whatever the roll.
+  return endsAlike && isEvenAboutHorizon(axis.zenith) && isEven(axis.azimuth, 0.5 * kPi, kTurn);
+}
+
+bool isMirrorSymmetric(const LowitzOrientation& lowitz, bool endsAlike) {
+  const double spinPeriod = endsAlike ? kPi : 2.0 * kPi;  // half a turn about an edge-to-edge axis exchanges the ends
+  return isEvenAboutHorizon(lowitz.axisZenith) || isEven(lowitz.spin, 0.0, spinPeriod);
+}
+
+}  // namespace
+
+bool isMirrorSymmetric(const PopulationSettings& population) {
+  const bool endsAlike = hasEndsAlike(population.shape);
+  return std::visit(Overloaded{[](const RandomOrientation&) { return true; },
+                               [=](const auto& orientation) { return isMirrorSymmetric(orientation, endsAlike); }},
+                    population.orientation);
+}
+
+bool isFullyRandom(const PopulationSettings& population) {
+  return std::holds_alternative<RandomOrientation>(population.orientation);
+}
+
+const PopulationSettings* firstWithout(bool (*holds)(const PopulationSettings&),
+                                       std::span<const PopulationSettings> populations) {
+  const auto found = std::ranges::find_if_not(populations, holds);
+  return found == populations.end() ? nullptr : &*found;
+}
+
+}  // namespace parhelion

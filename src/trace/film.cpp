@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "trace/film.h"
+
+#include <algorithm>
+
+#include "trace/radial_film.h"
+#include "trace/sky_film.h"
+
+namespace parhelion {
+
+Symmetry symmetryOf(const Cloud& cloud, Symmetry asked) {
+  if (asked != Symmetry::automatic) return asked;
+  if (std::ranges::all_of(cloud.populations(), &Population::isFullyRandom)) return Symmetry::radial;
+  const bool mirrored = std::ranges::all_of(cloud.populations(), &Population::isMirrorSymmetric);
+  return mirrored ? Symmetry::mirror : Symmetry::none;
+}
+
+std::unique_ptr<PathTally> makeFilm(Tally& tally, const Cloud& cloud, Symmetry symmetry) {
+  const Symmetry chosen = symmetryOf(cloud, symmetry);
+  if (chosen == Symmetry::radial) return std::make_unique<RadialFilm>(tally, cloud.sun().toCentre());
+  return std::make_unique<SkyFilm>(tally, chosen == Symmetry::mirror);
+}
+
+}  // namespace parhelion

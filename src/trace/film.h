@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "image/tally.h"
+#include "trace/cloud.h"
+#include "trace/path_tally.h"
+
+namespace parhelion {
+
+/// The symmetry asked for, or the most that the cloud allows where the choice is left.
+Symmetry symmetryOf(const Cloud& cloud, Symmetry asked);
+
+/// What exposes a tally, making use of a symmetry that the cloud must have. `tally` must outlive it, and is complete
+/// when traceRays() is done.
+std::unique_ptr<PathTally> makeFilm(Tally& tally, const Cloud& cloud, Symmetry symmetry);
+
+}  // namespace parhelion

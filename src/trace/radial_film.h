@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "image/radial_sky.h"
+#include "trace/bundle_bins.h"
+#include "trace/path_tally.h"
+
+namespace parhelion {
+
+/// Exposes rings about the sun's centre, for clouds in random orientation: every ray counts for whole rings of the sky.
+/// Undeviated light is in no ring.
+class RadialFilm : public PathTally {
+ public:
+  /// `tally` must outlive the film. The sun's centre is toward `toSun` (unit, world).
+  RadialFilm(Tally& tally, const Vec3& toSun)
+      : tally_(tally), toSun_(toSun), sky_(tally.info, toSun, tally.colours()) {}
+
+  int add(const TracedRays& traced) override;
+  std::unique_ptr<PathTally> forThread() override { return std::make_unique<RadialFilm>(tally_, toSun_); }
+  void merge(PathTally& fromThread) override;
+
+  /// Spreads the rings over the tally's pixels.
+  void finish() override { sky_.spreadOver(tally_); }
+
+ private:
+  Tally& tally_;
+  Vec3 toSun_;
+  RadialSky sky_;
+  BundleDeposits<Vec3> deposits_;
+  ExitsByBundle byBundle_;
+  std::int64_t intercepted_ = 0, undeviated_ = 0;
+};
+
+}  // namespace parhelion
