@@ -23,12 +23,12 @@ struct Configuration {
 
 inline constexpr std::array<Configuration, 7> kConfigurations{{
     {"embree", "Embree", tracing(Engine::embree)},
-    {"embree-sobol", "Embree, Sobol'", tracing(Engine::embree, PathMode::split, Sampler::sobol)},
-    {"planes-chance", "planes, one branch by chance", tracing(Engine::planes, PathMode::chance)},
+    {"embree-sobol", "Embree by Sobol' points", tracing(Engine::embree, PathMode::split, Sampler::sobol)},
+    {"planes-chance", "planes by chance", tracing(Engine::planes, PathMode::chance)},
     {"planes", "planes", tracing(Engine::planes)},
-    {"planes-sobol", "planes, Sobol'", tracing(Engine::planes, PathMode::split, Sampler::sobol)},
-    {"planes-mirror", "planes, mirrored", tracing(Engine::planes, PathMode::split, Sampler::random, Symmetry::mirror)},
-    {"planes-radial", "planes, rings alone",
+    {"planes-sobol", "planes by Sobol' points", tracing(Engine::planes, PathMode::split, Sampler::sobol)},
+    {"planes-mirror", "planes mirrored", tracing(Engine::planes, PathMode::split, Sampler::random, Symmetry::mirror)},
+    {"planes-radial", "planes in rings",
      tracing(Engine::planes, PathMode::split, Sampler::random, Symmetry::radial)},
 }};
 

@@ -25,7 +25,11 @@ RaySource::RaySource(const Cloud& cloud, const TraceSettings& settings, int room
       room_(room),
       waiting_(room + RayQueue::kSpare),
       candidates_(cloud.populations().size()) {
-  if (settings.sampler == Sampler::sobol) sobol_.emplace(settings.seed);
+  // Two scrambles, so that the halves of a tally are independent estimates, each of a whole net of points. Seeds of
+  // scenes have no sign bit.
+  constexpr std::uint64_t kOtherHalf = std::uint64_t{1} << 63;
+  if (settings.sampler == Sampler::sobol)
+    sobol_ = {SobolPoints(settings.seed), SobolPoints(settings.seed ^ kOtherHalf)};
   for (std::size_t p = 0; p < cloud.populations().size(); ++p) {
     queues_.emplace_back(room, cloud.bundleSize());
     if (cloud.hasFixedLight()) setLight(queues_.back());
@@ -50,14 +54,14 @@ void RaySource::draw(std::uint64_t first, int count) {
 /// Deals the waiting bundles out to the populations that they try next.
 void RaySource::splitByPopulation(int attempt) {
   for (auto& candidates : candidates_) candidates.clear();
-  const std::vector<double>& shares = cloud_.shares(sobol_ ? Sampler::sobol : Sampler::random);
+  const std::vector<double>& shares = cloud_.shares(sobol_.empty() ? Sampler::random : Sampler::sobol);
   const int count = static_cast<int>(waiting_.size()), last = static_cast<int>(shares.size()) - 1;
   waiting_.resize(count + RayQueue::kSpare);
   for (int i = 0; i < count; i += IncidenceNumbers::kRoom) {
     const int some = std::min(IncidenceNumbers::kRoom, count - i);
     auto& u = numbers_.row[0];
-    if (last > 0 && sobol_)
-      sobol_->fill(&waiting_[i], some, kPopulationDimension, u.data());
+    if (last > 0 && !sobol_.empty())
+      fillSobol(&waiting_[i], some, kPopulationDimension, u.data());
     else if (last > 0)
       kernels_.draw(seed_, RandomPurpose::population, &waiting_[i], some, attempt, 1, numbers_);
     for (int k = 0; k < some; ++k) {
@@ -71,7 +75,7 @@ void RaySource::propose(int population, int attempt) {
   auto& bundles = candidates_[population];
   const int count = static_cast<int>(bundles.size());
   bundles.resize(count + RayQueue::kSpare);
-  const IncidenceTable table = cloud_.incidence(population, sobol_ ? Sampler::sobol : Sampler::random);
+  const IncidenceTable table = cloud_.incidence(population, sobol_.empty() ? Sampler::random : Sampler::sobol);
   const std::size_t before = waiting_.size();
   waiting_.resize(before + count + RayQueue::kSpare);
   Proposals proposals{nullptr, 0, waiting_.data() + before, 0};
@@ -86,13 +90,27 @@ void RaySource::propose(int population, int attempt) {
 
 /// The numbers for some bundles' attempt.
 void RaySource::fill(const std::uint64_t* bundles, int count, int attempt) {
-  if (sobol_) {
-    for (int d = 0; d < kPopulationDimension; ++d) sobol_->fill(bundles, count, d, numbers_.row[kByWeight[d]].data());
+  if (!sobol_.empty()) {
+    for (int d = 0; d < kPopulationDimension; ++d) fillSobol(bundles, count, d, numbers_.row[kByWeight[d]].data());
     return;
   }
   // A point sun needs no numbers of its own.
   kernels_.draw(seed_, RandomPurpose::incidence, bundles, count, kBlocks * attempt,
                 cloud_.sun().isPoint() ? kBlocks - 1 : kBlocks, numbers_);
+}
+
+void RaySource::fillSobol(const std::uint64_t* bundles, int count, int dimension, double* numbers) {
+  std::array<std::uint64_t, IncidenceNumbers::kRoom> index;
+  std::array<double, IncidenceNumbers::kRoom> point;
+  for (std::uint64_t half = 0; half < 2; ++half) {
+    int some = 0;
+    for (int i = 0; i < count; ++i)
+      if (bundles[i] % 2 == half) index[some++] = bundles[i] / 2;
+    sobol_[half].fill(index.data(), some, dimension, point.data());
+    some = 0;
+    for (int i = 0; i < count; ++i)
+      if (bundles[i] % 2 == half) numbers[i] = point[some++];
+  }
 }
 
 void RaySource::setLight(RayQueue& queue) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "math/sobol.h"
@@ -37,13 +36,14 @@ class RaySource {
   };
   void propose(int population, int attempt);
   void fill(const std::uint64_t* bundles, int count, int attempt);
+  void fillSobol(const std::uint64_t* bundles, int count, int dimension, double* numbers);
   void splitByPopulation(int attempt);
   void setLight(RayQueue& queue);
 
   const Cloud& cloud_;
   const Kernels& kernels_;
   std::uint64_t seed_;
-  std::optional<SobolPoints> sobol_;
+  std::vector<SobolPoints> sobol_;  // of the bundles of even and of odd number; none for independent numbers
   int room_;
 
   std::vector<RayQueue> queues_;
