@@ -18,6 +18,7 @@ constexpr std::pair<std::string_view, void (*)(const RaysPlan&)> kParts[] = {
     {"error_by_time", measureErrorByTime},
     {"scaling", measureScaling},
     {"ring_position", measureRingPosition},
+    {"quality", measureQuality},
 };
 
 }  // namespace

@@ -26,5 +26,7 @@ void measureErrorByTime(const RaysPlan& plan);
 void measureScaling(const RaysPlan& plan);
 /// Where the inner edge of the 22 degree ring is found, by the number of rays.
 void measureRingPosition(const RaysPlan& plan);
+/// CPU time for 1 % noise a pixel in the 22 degree ring: plain, mirrored, in rings.
+void measureQuality(const RaysPlan& plan);
 
 }  // namespace parhelion::bench

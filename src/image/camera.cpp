@@ -2,6 +2,7 @@
 #include "image/camera.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -146,6 +147,11 @@ Camera::Camera(const CameraSettings& settings)
     circleRadius_ = radiusAt(settings.projection, maxAngle(settings));
     minCosine_ = portable::cos(maxAngle(settings)) - kCosineSlack;
   }
+}
+
+bool Camera::isMirrorSymmetric() const {
+  const double turns = settings_.azimuth / kPi;
+  return turns == std::floor(turns) && settings_.roll == 0.0;
 }
 
 std::optional<Vec3> Camera::toSky(Vec2 pixel) const {

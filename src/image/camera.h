@@ -36,6 +36,9 @@ class Camera {
   /// Pixels per radian along the optical axis (equirectangular: of longitude and latitude).
   double focalLength() const { return focal_; }
 
+  /// Whether the picture's left half shows the mirror image, in the sun's vertical plane, of what its right half shows.
+  bool isMirrorSymmetric() const;
+
   /// Pixel coordinates of the sky point toward the unit world vector `toSky`; none outside the picture, behind a
   /// rectilinear camera and outside the image circle. Light exactly on the border counts as inside.
   std::optional<Vec2> project(const Vec3& toSky) const;

@@ -97,6 +97,21 @@ void Tally::merge(const Tally& other) {
   }
 }
 
+void Tally::addMirrorImage() {
+  for (int y = 0; y < height_; ++y) {
+    for (int x = 0; 2 * x < width_; ++x) {
+      const int left = y * width_ + x, right = y * width_ + width_ - 1 - x;
+      for (int slot = 0; slot < slots(); ++slot) {
+        std::int64_t sum = raw(left, slot) + raw(right, slot);
+        if (left == right && slot == kHits) sum = raw(left, slot);
+        if (left == right && slot == kSquares) sum = 4 * raw(left, slot);
+        setRaw(left, slot, sum);
+        setRaw(right, slot, sum);
+      }
+    }
+  }
+}
+
 bool Tally::operator==(const Tally& other) const {
   return colours_ == other.colours_ && info == other.info && lines_ == other.lines_;
 }

@@ -102,6 +102,10 @@ class Tally {
 
   bool operator==(const Tally& other) const;
 
+  /// Adds to every pixel what its mirror image, left for right, holds: each ray then counts for two, which land in one
+  /// pixel in the middle column of an odd width.
+  void addMirrorImage();
+
   /// The numbers of a pixel as stored, for files. X and Z are relative to the white, so that none can overflow.
   enum Slot : int { kY, kFirstHalf, kSquares, kHits, kX, kZ };
   int slots() const { return colours_ == 1 ? 4 : 6; }

@@ -56,6 +56,9 @@ PARHELION_INLINE double select(bool which, double a, double b) { return which ? 
 PARHELION_INLINE double select(int which, double a, double b) { return which ? a : b; }  // bool | bool is an int
 template <class Mask, class T>
 PARHELION_INLINE T select(const Mask& which, const T& a, const T& b) {
+#if defined(__AVX2__)
+  if constexpr (sizeof(T) == 32) return _mm256_blendv_pd(b, a, bitsAs<__m256d>(which));
+#endif
   return bitsAs<T>((which & bitsAs<Mask>(a)) | (~which & bitsAs<Mask>(b)));
 }
 

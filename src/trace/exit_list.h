@@ -9,7 +9,8 @@ namespace parhelion {
 /// Light that leaves crystals, as arrays: entry i of each belongs to exit i. In no particular order.
 struct ExitList {
   int count = 0;
-  AlignedVector<double> lightDirWorld[3];  // unit
+  AlignedVector<double> lightDirCrystal[3];
+  AlignedVector<double> lightDirWorld[3];  // unit; from lightDirCrystal, when all have left
   AlignedVector<double> energy;            // of the light its ray stands for
   AlignedVector<double> ray;               // whose it is, RayQueue::ray()
   AlignedVector<double> order;             // 0: reflected at the outside; k: left at internal encounter k
@@ -21,9 +22,9 @@ struct ExitList {
   void reserve(int more) {
     const std::size_t room = static_cast<std::size_t>(count + more);
     if (energy.size() >= room) return;
-    for (AlignedVector<double>* row :
-         {&lightDirWorld[0], &lightDirWorld[1], &lightDirWorld[2], &energy, &ray, &order, &undeviated})
-      row->resize(2 * room);
+    for (AlignedVector<double>* rows : {lightDirCrystal, lightDirWorld})
+      for (int k = 0; k < 3; ++k) rows[k].resize(2 * room);
+    for (AlignedVector<double>* row : {&energy, &ray, &order, &undeviated}) row->resize(2 * room);
   }
 };
 

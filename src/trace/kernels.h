@@ -30,6 +30,13 @@ struct EnergyUnits {
   int lostPaths = 0;
 };
 
+/// Light in pixels of a picture, as arrays with room for all there is to be seen and kSpare more.
+struct SeenLight {
+  int count = 0;
+  AlignedVector<double> pixel;  // row-major
+  AlignedVector<double> energy, ray;
+};
+
 /// The steps that are taken by many rays at a time, compiled once for each set of vector registers.
 struct Kernels {
   int lanes;  // doubles side by side
@@ -51,9 +58,12 @@ struct Kernels {
   /// What the faces found make of the light.
   void (*meetFaces)(const FaceTable& faces, RayPool& pool, ExitList& exits, EnergyUnits& energy);
 
-  /// The pixel in which the observer sees each exit, or its mirror image in the sun's vertical plane, with room for
-  /// kSpare more; -1 where the camera does not look, and for undeviated light.
-  void (*pixels)(const Camera& camera, bool mirrored, const ExitList& exits, std::int32_t* pixel);
+  /// World directions of the exits, and whether light goes on as if there were no crystal.
+  void (*turnToWorld)(const RayQueue& queue, ExitList& exits);
+
+  /// Adds to `seen` what the observer sees of the exits, or of their mirror images in the sun's vertical plane; without
+  /// undeviated light.
+  void (*see)(const Camera& camera, bool mirrored, const ExitList& exits, SeenLight& seen);
 };
 
 /// The kernels for the machine's widest registers, or for those named. Throws std::invalid_argument where the machine

@@ -220,23 +220,16 @@ class UnitSum {
   Mask sum_{};
 };
 
-/// Puts the lanes that leave on the list. `change` is theirs from the incident light, in the crystal's frame.
-struct Leaving {
-  Real energy, ray, order;
-  Triple<Real> direction, change;  // crystal frame
-  Triple<Real> x, y, z;            // the crystal's axes in the world
-};
-PARHELION_INLINE void leave(const Leaving& l, const Mask& which, ExitList& exits) {
-  const Triple<Real> world = renormalised(l.direction.x * l.x + l.direction.y * l.y + l.direction.z * l.z);
-  const Mask undeviated = dot(l.change, l.change) < kSameDirection * kSameDirection;
-  const Compress<Real> leaving(which);
-  leaving.store(&exits.lightDirWorld[0][exits.count], world.x);
-  leaving.store(&exits.lightDirWorld[1][exits.count], world.y);
-  leaving.store(&exits.lightDirWorld[2][exits.count], world.z);
-  leaving.store(&exits.energy[exits.count], l.energy);
-  leaving.store(&exits.ray[exits.count], l.ray);
-  leaving.store(&exits.order[exits.count], l.order);
-  leaving.store(&exits.undeviated[exits.count], select(undeviated, all<Real>(1.0), Real{}));
+/// Puts the lanes of light that leaves on the list.
+PARHELION_INLINE void leave(const Triple<Real>& direction, const Real& energy, const Real& ray, const Real& order,
+                            ExitList& exits) {
+  const Compress<Real> leaving(energy > 0.0);
+  leaving.store(&exits.lightDirCrystal[0][exits.count], direction.x);
+  leaving.store(&exits.lightDirCrystal[1][exits.count], direction.y);
+  leaving.store(&exits.lightDirCrystal[2][exits.count], direction.z);
+  leaving.store(&exits.energy[exits.count], energy);
+  leaving.store(&exits.ray[exits.count], ray);
+  leaving.store(&exits.order[exits.count], order);
   exits.count += leaving.count();
 }
 
@@ -262,11 +255,8 @@ void enter(const FaceTable& faces, std::uint64_t seed, PathRule rule, int member
     store(&queue.random0[i], random.state0);
     store(&queue.random1[i], random.state1);
     const Real reflected = select(real, b.reflected, Real{});
-    const Triple<Real> direction = reflect(light, normal, cosTheta_i);
     out.add(reflected);
-    leave({reflected, counting() + static_cast<double>(ray), Real{}, direction, direction - light,
-           loadTriple(queue.crystalX, i), loadTriple(queue.crystalY, i), loadTriple(queue.crystalZ, i)},
-          reflected > 0.0, exits);
+    leave(reflect(light, normal, cosTheta_i), reflected, counting() + static_cast<double>(ray), Real{}, exits);
   }
   energy.out += out.total();
 }
@@ -300,11 +290,8 @@ PARHELION_INLINE Mask meetFace(const FaceTable& faces, int i, RayPool& pool, Exi
 
   // The light comes from inside, where the normal does not point.
   const Triple<Real> outward = normalOf(faces, face), inward{-outward.x, -outward.y, -outward.z};
-  const Triple<Real> direction = refract(light, inward, cosine, b.cosTheta_t, index);
   out.add(b.transmitted);
-  leave({b.transmitted, load<Real>(&pool.ray[i]), order, direction, direction - loadTriple(pool.lightCrystal, i),
-         loadTriple(pool.crystalX, i), loadTriple(pool.crystalY, i), loadTriple(pool.crystalZ, i)},
-        b.transmitted > 0.0, exits);
+  leave(refract(light, inward, cosine, b.cosTheta_t, index), b.transmitted, load<Real>(&pool.ray[i]), order, exits);
   storeTriple(pool.lightDir, i, renormalised(reflect(light, inward, cosine)));
   store(&pool.energy[i], b.reflected);
   return (b.reflected <= 0.0) | (order >= static_cast<double>(kMostEncounters));
@@ -335,17 +322,40 @@ void meetFaces(const FaceTable& faces, RayPool& pool, ExitList& exits, EnergyUni
   energy.lost += lost.total();
 }
 
-void pixels(const Camera& camera, bool mirrored, const ExitList& exits, std::int32_t* pixel) {
+/// The numbers of three rows at the lanes' places.
+PARHELION_INLINE Triple<Real> lookUpTriple(const RayQueue::Row* rows, const Real& place) {
+  return {lookUp(rows[0].data(), place), lookUp(rows[1].data(), place), lookUp(rows[2].data(), place)};
+}
+
+void turnToWorld(const RayQueue& queue, ExitList& exits) {
+  const Words placeBits = Words{} + static_cast<std::uint64_t>(queue.room - 1);
+  for (int i = 0; i < exits.count; i += kLanes) {
+    // The last digits of a ray's number are its place.
+    const Words ray = bitsAs<Words>(load<Real>(&exits.ray[i]) + 0x1p52) & placeBits;
+    const Real place = bitsAs<Real>(ray | bitsAs<Words>(Real{} + 0x1p52)) - 0x1p52;
+    const Triple<Real> d = loadTriple(exits.lightDirCrystal, i);
+    const Triple<Real> world =
+        renormalised(d.x * lookUpTriple(queue.crystalX, place) + d.y * lookUpTriple(queue.crystalY, place) +
+                     d.z * lookUpTriple(queue.crystalZ, place));
+    const Triple<Real> change = world - lookUpTriple(queue.lightWorld, place);
+    const Mask undeviated = dot(change, change) < kSameDirection * kSameDirection;
+    storeTriple(exits.lightDirWorld, i, world);
+    store(&exits.undeviated[i], select(undeviated, all<Real>(1.0), Real{}));
+  }
+}
+
+void see(const Camera& camera, bool mirrored, const ExitList& exits, SeenLight& seen) {
   const Lens lens = camera.lens();
   const double side = mirrored ? 1.0 : -1.0;
   for (int i = 0; i < exits.count; i += kLanes) {
-    const Triple<Real> light{load<Real>(&exits.lightDirWorld[0][i]), load<Real>(&exits.lightDirWorld[1][i]),
-                             load<Real>(&exits.lightDirWorld[2][i])};
+    const Triple<Real> light = loadTriple(exits.lightDirWorld, i);
     const auto place = lens.project<Real>({-light.x, side * light.y, -light.z});
-    const Mask seen = place.inside & (load<Real>(&exits.undeviated[i]) == 0.0);
-    const Real index = wholePart(place.y) * lens.width + wholePart(place.x);
-    const Real found = select(seen, index, all<Real>(-1.0));
-    for (int k = 0; k < kLanes; ++k) pixel[i + k] = static_cast<std::int32_t>(found[k]);
+    const Mask real = below(i, exits.count) & (load<Real>(&exits.undeviated[i]) == 0.0);
+    const Compress<Real> inside(place.inside & real);
+    inside.store(&seen.pixel[seen.count], wholePart(place.y) * lens.width + wholePart(place.x));
+    inside.store(&seen.energy[seen.count], load<Real>(&exits.energy[i]));
+    inside.store(&seen.ray[seen.count], load<Real>(&exits.ray[i]));
+    seen.count += inside.count();
   }
 }
 
@@ -355,6 +365,7 @@ void pixels(const Camera& camera, bool mirrored, const ExitList& exits, std::int
 #define PARHELION_KERNELS(lanes) PARHELION_PASTE(kernelsOf, lanes)
 
 extern const Kernels PARHELION_KERNELS(PARHELION_LANES);
-const Kernels PARHELION_KERNELS(PARHELION_LANES) = {kLanes, draw, propose, enter, findFaces, meetFaces, pixels};
+const Kernels PARHELION_KERNELS(PARHELION_LANES) = {kLanes,    draw,      propose,     enter,
+                                                    findFaces, meetFaces, turnToWorld, see};
 
 }  // namespace parhelion

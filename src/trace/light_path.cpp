@@ -99,9 +99,9 @@ class Walk {
     if (path_.recordEncounters)
       path_.encounters.push_back({faces_[face_].number, point_, energy, energy_, leavingDir, lightDir_, order_});
     if (energy <= 0.0) return;
-    const Vec3 change = leavingDir - ray_.lightDirCrystal;
+    const Vec3 world = renormalised(ray_.crystalToWorld * leavingDir), change = world - ray_.lightDirWorld;
     const bool undeviated = glm::dot(change, change) < kSameDirection * kSameDirection;
-    path_.exits.push_back({renormalised(ray_.crystalToWorld * leavingDir), energy, order_, undeviated});
+    path_.exits.push_back({world, energy, order_, undeviated});
   }
 
   const FaceFinder& engine_;

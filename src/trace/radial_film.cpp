@@ -5,14 +5,14 @@ namespace parhelion {
 
 int RadialFilm::add(const TracedRays& traced) {
   const auto& [queue, exits, members, mesh, kernels] = traced;
-  byBundle_.sort(queue, exits);
+  byBundle_.sort(queue, exits.ray, exits.count);
   int seen = 0;
   for (int place = 0; place < queue.count; ++place) {
     for (int member = 0; member < members; ++member)
       intercepted_ += toFixed(queue.weight[place] * queue.light[queue.ray(member, place)].light);
     deposits_.clear();
     for (int i = byBundle_.begin(place); i < byBundle_.begin(place + 1); ++i) {
-      const int exit = byBundle_.exit(i);
+      const int exit = byBundle_.item(i);
       const SpectralSample& light = queue.light[static_cast<int>(exits.ray[exit])];
       if (exits.undeviated[exit] != 0.0) {
         undeviated_ += toFixed(exits.energy[exit] * light.light);

@@ -27,7 +27,7 @@ class RadialFilm : public PathTally {
   Vec3 toSun_;
   RadialSky sky_;
   BundleDeposits<Vec3> deposits_;
-  ExitsByBundle byBundle_;
+  ByBundle byBundle_;
   std::int64_t intercepted_ = 0, undeviated_ = 0;
 };
 

@@ -27,8 +27,6 @@ struct RayPool {
   // As the ray came: constant while it is here.
   alignas(64) Numbers ray, stretch, iceIndex, perIceIndex;
   alignas(64) Numbers splitAbove;  // energy from which a path splits
-  alignas(64) Numbers lightCrystal[3];
-  alignas(64) Numbers crystalX[3], crystalY[3], crystalZ[3];
 
   // What the engine found: the next face, or kNoFace.
   alignas(64) Numbers nextFace, distance, cosine;
@@ -41,7 +39,7 @@ struct RayPool {
 
   /// Takes over the ray at another place.
   void move(int from, int to) {
-    for (Numbers* rows : {point, lightDir, lightCrystal, crystalX, crystalY, crystalZ})
+    for (Numbers* rows : {point, lightDir})
       for (int k = 0; k < 3; ++k) rows[k][to] = rows[k][from];
     for (Numbers* row :
          {&energy, &face, &order, &internalPath, &ray, &stretch, &iceIndex, &perIceIndex, &splitAbove, &lost})

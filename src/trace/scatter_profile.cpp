@@ -24,11 +24,11 @@ int ScatterProfile::binAt(double angle) const {
 }
 
 int ScatterProfile::add(const TracedRays& traced) {
-  byBundle_.sort(traced.queue, traced.exits);
+  byBundle_.sort(traced.queue, traced.exits.ray, traced.exits.count);
   for (int place = 0; place < traced.queue.count; ++place) {
     deposits_.clear();
     bundleCosine_ = bundlePath_ = 0.0;
-    for (int i = byBundle_.begin(place); i < byBundle_.begin(place + 1); ++i) addExit(traced, byBundle_.exit(i));
+    for (int i = byBundle_.begin(place); i < byBundle_.begin(place + 1); ++i) addExit(traced, byBundle_.item(i));
     for (int member = 0; member < traced.members; ++member) addRay(traced, member, place);
     bins_.add(deposits_);
     cosine_.add(bundleCosine_);

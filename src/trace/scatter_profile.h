@@ -53,7 +53,7 @@ class ScatterProfile : public PathTally {
   double from_, width_;
   BundleBins bins_;
   BundleDeposits<double> deposits_;
-  ExitsByBundle byBundle_;
+  ByBundle byBundle_;
   double bundleCosine_ = 0.0, bundlePath_ = 0.0;  // light times cosine and internal path, of the bundle being added
 
   std::uint64_t rays_ = 0, bundles_ = 0;

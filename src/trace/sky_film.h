@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
-
 #include "image/camera.h"
 #include "image/deposit_buffer.h"
 #include "image/tally.h"
@@ -25,8 +23,12 @@ class SkyFilm : public PathTally {
     return std::unique_ptr<SkyFilm>(new SkyFilm(tally_, mirrored_, locks_));
   }
   void merge(PathTally& fromThread) override;
+  void finish() override;
 
  private:
+  /// Through a camera that is its own mirror image, the finished picture makes up for a second view of every exit.
+  bool foldsPicture() const { return mirrored_ && camera_.isMirrorSymmetric(); }
+  void countStraight(const TracedRays& traced);
   SkyFilm(Tally& tally, bool mirrored, std::shared_ptr<DepositBuffer::Locks> locks)
       : tally_(tally),
         mirrored_(mirrored),
@@ -40,8 +42,8 @@ class SkyFilm : public PathTally {
   std::shared_ptr<DepositBuffer::Locks> locks_;
   DepositBuffer buffer_;
   BundleDeposits<Vec3> deposits_;
-  ExitsByBundle byBundle_;
-  std::array<std::vector<std::int32_t>, 2> pixel_;  // of each exit, and of its mirror image
+  ByBundle byBundle_;
+  SeenLight seen_;
   std::int64_t intercepted_ = 0, undeviated_ = 0;
 };
 

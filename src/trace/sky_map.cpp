@@ -21,11 +21,11 @@ int SkyMap::binAt(const Vec3& toSky) const {
 
 int SkyMap::add(const TracedRays& traced) {
   const auto& [queue, exits, members, mesh, kernels] = traced;
-  byBundle_.sort(queue, exits);
+  byBundle_.sort(queue, exits.ray, exits.count);
   for (int place = 0; place < queue.count; ++place) {
     deposits_.clear();
     for (int i = byBundle_.begin(place); i < byBundle_.begin(place + 1); ++i) {
-      const int exit = byBundle_.exit(i);
+      const int exit = byBundle_.item(i);
       const double light = queue.light[static_cast<int>(exits.ray[exit])].light;
       const Vec3 toSky = exits.undeviated[exit] != 0.0 ? toSun_ : -exits.lightDir(exit);
       deposits_.add(binAt(toSky), exits.energy[exit] * light);

@@ -37,7 +37,7 @@ class SkyMap : public PathTally {
   int binsPerHalfTurn_;
   BundleBins bins_;
   BundleDeposits<double> deposits_;
-  ExitsByBundle byBundle_;
+  ByBundle byBundle_;
   std::uint64_t bundles_ = 0;
   ExactSum intercepted_;
 };

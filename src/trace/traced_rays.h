@@ -19,17 +19,18 @@ struct TracedRays {
   const Kernels& kernels;  // for whoever has more to do to many exits at a time
 };
 
-/// Exits in the order of their bundles: those of the bundle at a place of the queue are exit(i) for i from begin(place)
-/// to below begin(place + 1).
-class ExitsByBundle {
+/// Puts things that belong to rays in the order of their bundles: those of the bundle at a place of the queue are
+/// item(i) for i from begin(place) to below begin(place + 1).
+class ByBundle {
  public:
-  void sort(const RayQueue& queue, const ExitList& exits);
+  /// `ray` has the rays of `count` items.
+  void sort(const RayQueue& queue, const AlignedVector<double>& ray, int count);
 
   int begin(int place) const { return begin_[place]; }
-  int exit(int i) const { return exit_[i]; }
+  int item(int i) const { return item_[i]; }
 
  private:
-  std::vector<int> begin_, exit_;
+  std::vector<int> begin_, item_;
 };
 
 }  // namespace parhelion

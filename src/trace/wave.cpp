@@ -86,6 +86,7 @@ void Wave::follow(RayQueue& queue, int population, int members) {
     counts_.hits += pool_->active;
     refill(queue, members);
   }
+  kernels_.turnToWorld(queue, exits_);
   count(queue, members);
 }
 
@@ -108,10 +109,6 @@ bool Wave::putNext(RayQueue& queue, int members, int place) {
       for (int k = 0; k < 3; ++k) {
         pool.point[k][place] = queue.point[k][from];
         pool.lightDir[k][place] = queue.inside[k][ray];
-        pool.lightCrystal[k][place] = queue.lightCrystal[k][from];
-        pool.crystalX[k][place] = queue.crystalX[k][from];
-        pool.crystalY[k][place] = queue.crystalY[k][from];
-        pool.crystalZ[k][place] = queue.crystalZ[k][from];
       }
       pool.energy[place] = queue.energy[ray];
       pool.face[place] = queue.face[from];
