@@ -26,7 +26,7 @@ struct RayRange {
 struct TallyInfo {
   std::uint64_t seed = 0;
   std::vector<RayRange> rays;    // traced so far: ascending, not touching, none empty
-  std::int64_t intercepted = 0;  // fixed point: light the crystals took from the beam, on average 1 a ray
+  std::int64_t intercepted = 0;  // fixed point: light the crystals took from the beam: 1 or 2 a ray on average
   std::int64_t undeviated = 0;   // fixed point: the part of it that goes on in the sun's direction; in no pixel
   Vec3 white{1.0, 1.0, 1.0};     // CIE XYZ of the undeviated sunlight, Y = 1
   double sunElevation = 0.0;     // rad

@@ -104,11 +104,10 @@ EmbreeIntersector::EmbreeIntersector(const EmbreeDevice& device, const CrystalMe
   device_->check("building a crystal");
 }
 
-std::optional<FaceHit> EmbreeIntersector::nextFace(const Crystal& crystal, const Vec3& point, const Vec3& lightDir,
-                                                   int leftFace) const {
+int EmbreeIntersector::faceByEmbree(double stretch, const Vec3& point, const Vec3& lightDir, int leftFace) const {
   // An affine map keeps the ray parameter: the ray is taken to the mesh as Embree has it, not the stretched mesh to the
   // ray.
-  const Vec3 scale(1.0, 1.0, 1.0 / crystal.stretch);
+  const Vec3 scale(1.0, 1.0, 1.0 / stretch);
   const glm::vec3 origin(point * scale), direction(lightDir * scale);
   RTCRayHit query;
   query.ray.org_x = origin.x;
@@ -126,9 +125,13 @@ std::optional<FaceHit> EmbreeIntersector::nextFace(const Crystal& crystal, const
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   intersectClosest(scene_.get(), query);
+  return query.hit.geomID == RTC_INVALID_GEOMETRY_ID ? kNoFace : static_cast<int>(query.hit.geomID);
+}
 
-  if (query.hit.geomID != RTC_INVALID_GEOMETRY_ID) {
-    const int face = static_cast<int>(query.hit.geomID);
+std::optional<FaceHit> EmbreeIntersector::nextFace(const Crystal& crystal, const Vec3& point, const Vec3& lightDir,
+                                                   int leftFace) const {
+  const int face = faceByEmbree(crystal.stretch, point, lightDir, leftFace);
+  if (face != kNoFace) {
     const Vec3& normal = crystal.mesh->faces()[face].normal;
     const double approach = glm::dot(normal, lightDir);
     // In single precision a ray along an edge may meet a face from outside; such a hit is no way out.

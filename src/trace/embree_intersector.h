@@ -41,6 +41,9 @@ class EmbreeIntersector {
   /// Embree finds none, the planes decide; empty only when they cannot either.
   std::optional<FaceHit> nextFace(const Crystal& crystal, const Vec3& point, const Vec3& lightDir, int leftFace) const;
 
+  /// What Embree alone says of the same; kNoFace where it finds none.
+  int faceByEmbree(double stretch, const Vec3& point, const Vec3& lightDir, int leftFace) const;
+
  private:
   std::shared_ptr<EmbreeDevice::State> device_;
   std::shared_ptr<RTCSceneTy> scene_;

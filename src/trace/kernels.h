@@ -55,6 +55,9 @@ struct Kernels {
   /// The next face of each ray in the pool, by planes.
   void (*findFaces)(const SlabTable& slabs, RayPool& pool);
 
+  /// How far it is to the faces that are named as next; takes the name back where the ray does not run toward its face.
+  void (*measureFaces)(const FaceTable& faces, RayPool& pool);
+
   /// What the faces found make of the light.
   void (*meetFaces)(const FaceTable& faces, RayPool& pool, ExitList& exits, EnergyUnits& energy);
 

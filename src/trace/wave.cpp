@@ -10,17 +10,27 @@ namespace parhelion {
 
 namespace {
 
-/// The next face of each ray in the pool, one ray after the other.
-std::uint64_t findEach(const EmbreeIntersector& engine, const CrystalMesh& mesh, RayPool& pool) {
-  std::uint64_t rescued = 0;
+Vec3 at(const RayPool::Numbers* rows, int place) { return {rows[0][place], rows[1][place], rows[2][place]}; }
+
+/// Asks Embree for the next face of each ray in the pool.
+void nameFaces(const EmbreeIntersector& engine, RayPool& pool) {
+  for (int i = 0; i < pool.active; ++i)
+    pool.nextFace[i] =
+        engine.faceByEmbree(pool.stretch[i], at(pool.point, i), at(pool.lightDir, i), static_cast<int>(pool.face[i]));
+}
+
+/// Asks the planes where there is no next face; returns how many they found.
+int rescueRays(const CrystalMesh& mesh, RayPool& pool) {
+  int rescued = 0;
   for (int i = 0; i < pool.active; ++i) {
-    const Vec3 point(pool.point[0][i], pool.point[1][i], pool.point[2][i]);
-    const Vec3 lightDir(pool.lightDir[0][i], pool.lightDir[1][i], pool.lightDir[2][i]);
-    const auto hit = engine.nextFace({&mesh, pool.stretch[i]}, point, lightDir, static_cast<int>(pool.face[i]));
-    pool.nextFace[i] = hit ? hit->face : kNoFace;
-    pool.distance[i] = hit ? hit->distance : 0.0;
-    pool.cosine[i] = hit ? hit->cosine : 0.0;
-    rescued += hit && hit->rescued;
+    if (pool.nextFace[i] != kNoFace) continue;
+    const auto hit = nextFaceByPlanes({&mesh, pool.stretch[i]}, at(pool.point, i), at(pool.lightDir, i),
+                                      static_cast<int>(pool.face[i]));
+    if (!hit) continue;
+    pool.nextFace[i] = hit->face;
+    pool.distance[i] = hit->distance;
+    pool.cosine[i] = hit->cosine;
+    ++rescued;
   }
   return rescued;
 }
@@ -93,7 +103,9 @@ void Wave::follow(RayQueue& queue, int population, int members) {
 void Wave::findFaces(int population) {
   std::visit(Overloaded{[&](const PlanesIntersector& planes) { kernels_.findFaces(planes.slabs(), *pool_); },
                         [&](const EmbreeIntersector& embree) {
-                          counts_.rescued += findEach(embree, cloud_.populations()[population].mesh(), *pool_);
+                          nameFaces(embree, *pool_);
+                          kernels_.measureFaces(cloud_.faces(population), *pool_);
+                          counts_.rescued += rescueRays(cloud_.populations()[population].mesh(), *pool_);
                         }},
              engines_[population]);
 }

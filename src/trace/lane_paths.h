@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// Part of kernels_lanes.cpp, and of nothing else.
+
+#include "optics/interface.h"
+#include "trace/intersector.h"
+#include "trace/lane_types.h"
+
+namespace parhelion {
+namespace {
+
+/// What an interface makes of the light that meets it.
+struct BranchLanes {
+  Real reflected, transmitted;  // energy
+  Real cosTheta_t;
+};
+
+/// Each branch carries its share of the light, or one carries all of it by chance. Either way no energy is lost, and
+/// paths end without a bias.
+PARHELION_INLINE BranchLanes branch(const Real& energy, const Real& splitAbove, const Real& random,
+                                    const Real& cosTheta_i, const RelativeIndexOf<Real>& index) {
+  const InterfaceOf<Real> face = fresnel(cosTheta_i, index);
+  const Real whole = select(random < face.reflectance, energy, Real{});
+  const Real reflected = select(energy >= splitAbove, energy * face.reflectance, whole);
+  return {reflected, energy - reflected, face.cosTheta_t};
+}
+
+/// Sums of energies as whole units, so that the order leaves no trace.
+class UnitSum {
+ public:
+  PARHELION_INLINE void add(const Real& energy) {
+    // Behind 1.5 * 2^52 a number's last bit is a unit; energies are far below 2^11.
+    constexpr double kShift = 0x1.8p52;
+    sum_ += bitsAs<Mask>(energy * 0x1p40 + kShift) - bitsAs<Mask>(Real{} + kShift);
+  }
+  std::int64_t total() const {
+    std::int64_t total = 0;
+    for (int k = 0; k < kLanes; ++k) total += sum_[k];
+    return total;
+  }
+
+ private:
+  Mask sum_{};
+};
+
+/// Puts the lanes of light that leaves on the list.
+PARHELION_INLINE void leave(const Triple<Real>& direction, const Real& energy, const Real& ray, const Real& order,
+                            ExitList& exits) {
+  const Compress<Real> leaving(energy > 0.0);
+  leaving.store(&exits.lightDirCrystal[0][exits.count], direction.x);
+  leaving.store(&exits.lightDirCrystal[1][exits.count], direction.y);
+  leaving.store(&exits.lightDirCrystal[2][exits.count], direction.z);
+  leaving.store(&exits.energy[exits.count], energy);
+  leaving.store(&exits.ray[exits.count], ray);
+  leaving.store(&exits.order[exits.count], order);
+  exits.count += leaving.count();
+}
+
+void enter(const FaceTable& faces, std::uint64_t seed, PathRule rule, int member, RayQueue& queue, ExitList& exits,
+           EnergyUnits& energy) {
+  UnitSum out;
+  for (int i = 0; i < queue.count; i += kLanes) {
+    const int ray = queue.ray(member, i);
+    const Mask real = below(i, queue.count);
+    const Triple<Real> light = loadTriple(queue.lightCrystal, i);
+    const Real face = load<Real>(&queue.face[i]), weight = load<Real>(&queue.weight[i]);
+    const Triple<Real> normal = normalOf(faces, face);
+    const Real cosTheta_i = higher(-dot(normal, light), Real{});
+    const RelativeIndexOf<Real> index(load<Real>(&queue.iceIndex[ray]));
+    // The path's first number; the others are drawn from where it stays inside.
+    const RandomWords words = randomWords(seed, RandomPurpose::path, 0, load<Words>(&queue.bundle[i]));
+    PathRandom<Real> random{words.first, words.second};
+    const BranchLanes b = branch(weight, weight * rule.splitShare, random.next(), cosTheta_i, index);
+
+    store(&queue.energy[ray], b.transmitted);
+    const Triple<Real> inside = renormalised(refract(light, normal, cosTheta_i, b.cosTheta_t, index));
+    storeTriple(queue.inside, ray, inside);
+    store(&queue.random0[i], random.state0);
+    store(&queue.random1[i], random.state1);
+    const Real reflected = select(real, b.reflected, Real{});
+    out.add(reflected);
+    leave(reflect(light, normal, cosTheta_i), reflected, counting() + static_cast<double>(ray), Real{}, exits);
+  }
+  energy.out += out.total();
+}
+
+void findFaces(const SlabTable& slabs, RayPool& pool) {
+  for (int i = 0; i < pool.active; i += kLanes) {
+    const FaceMet<Real> met = slabs.next(loadTriple(pool.point, i), loadTriple(pool.lightDir, i),
+                                         load<Real>(&pool.stretch[i]), load<Real>(&pool.face[i]));
+    store(&pool.nextFace[i], met.face);
+    store(&pool.distance[i], met.distance);
+    store(&pool.cosine[i], met.cosine);
+  }
+}
+
+void measureFaces(const FaceTable& faces, RayPool& pool) {
+  for (int i = 0; i < pool.active; i += kLanes) {
+    const Real named = load<Real>(&pool.nextFace[i]), face = higher(named, Real{});
+    const Triple<Real> normal = normalOf(faces, face);
+    const Real approach = dot(normal, loadTriple(pool.lightDir, i)), height = dot(normal, loadTriple(pool.point, i));
+    const Real offset = lookUp(faces.offset.data(), face);
+    const Real gap = select(normal.z == 0.0, offset, offset * load<Real>(&pool.stretch[i])) - height;
+    // In single precision a ray along an edge may meet a face from outside; such a hit is no way out.
+    store(&pool.nextFace[i], select(approach > 0.0, named, all<Real>(kNoFace)));
+    store(&pool.distance[i], higher(gap / approach, Real{}));
+    store(&pool.cosine[i], approach);
+  }
+}
+
+/// One encounter of the rays from place i on; returns those whose path ends here.
+PARHELION_INLINE Mask meetFace(const FaceTable& faces, int i, RayPool& pool, ExitList& exits, UnitSum& out) {
+  const Triple<Real> light = loadTriple(pool.lightDir, i);
+  const Real face = higher(load<Real>(&pool.nextFace[i]), Real{}), cosine = load<Real>(&pool.cosine[i]);
+  const Real distance = load<Real>(&pool.distance[i]), energy = load<Real>(&pool.energy[i]);
+  const Real order = load<Real>(&pool.order[i]) + 1.0;
+  store(&pool.internalPath[i], load<Real>(&pool.internalPath[i]) + energy * distance);
+  storeTriple(pool.point, i, loadTriple(pool.point, i) + distance * light);
+  store(&pool.face[i], face);
+  store(&pool.order[i], order);
+
+  PathRandom<Real> random{load<Words>(&pool.random0[i]), load<Words>(&pool.random1[i])};
+  const auto index = RelativeIndexOf<Real>::outOf(load<Real>(&pool.iceIndex[i]), load<Real>(&pool.perIceIndex[i]));
+  const BranchLanes b = branch(energy, load<Real>(&pool.splitAbove[i]), random.next(), cosine, index);
+  store(&pool.random0[i], random.state0);
+  store(&pool.random1[i], random.state1);
+
+  // The light comes from inside, where the normal does not point.
+  const Triple<Real> outward = normalOf(faces, face), inward{-outward.x, -outward.y, -outward.z};
+  out.add(b.transmitted);
+  leave(refract(light, inward, cosine, b.cosTheta_t, index), b.transmitted, load<Real>(&pool.ray[i]), order, exits);
+  storeTriple(pool.lightDir, i, renormalised(reflect(light, inward, cosine)));
+  store(&pool.energy[i], b.reflected);
+  return (b.reflected <= 0.0) | (order >= static_cast<double>(kMostEncounters));
+}
+
+/// Takes the light of rays for which no face was found.
+PARHELION_INLINE void loseLight(int i, RayPool& pool, UnitSum& lost, EnergyUnits& energy) {
+  const Mask none = (load<Real>(&pool.nextFace[i]) < 0.0) & below(i, pool.active);
+  if (__builtin_expect(!anyOf(none), true)) return;
+  const Real light = load<Real>(&pool.energy[i]);
+  store(&pool.lost[i], select(none, light, Real{}));
+  lost.add(select(none, light, Real{}));
+  store(&pool.energy[i], select(none, Real{}, light));
+  store(&pool.distance[i], select(none, Real{}, load<Real>(&pool.distance[i])));
+  energy.lostPaths += __builtin_popcount(bitsOf(none));
+}
+
+void meetFaces(const FaceTable& faces, RayPool& pool, ExitList& exits, EnergyUnits& energy) {
+  UnitSum out, lost;
+  pool.endedCount = 0;
+  for (int i = 0; i < pool.active; i += kLanes) {
+    loseLight(i, pool, lost, energy);
+    const Compress<Real> ended(meetFace(faces, i, pool, exits, out) & below(i, pool.active));
+    ended.store(&pool.ended[pool.endedCount], counting() + static_cast<double>(i));
+    pool.endedCount += ended.count();
+  }
+  energy.out += out.total();
+  energy.lost += lost.total();
+}
+
+}  // namespace
+}  // namespace parhelion
