@@ -19,6 +19,8 @@ constexpr std::pair<std::string_view, void (*)(const RaysPlan&)> kParts[] = {
     {"scaling", measureScaling},
     {"ring_position", measureRingPosition},
     {"quality", measureQuality},
+    {"stages", measureStages},
+    {"embree", measureEmbree},
 };
 
 }  // namespace

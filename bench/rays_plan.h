@@ -28,5 +28,9 @@ void measureScaling(const RaysPlan& plan);
 void measureRingPosition(const RaysPlan& plan);
 /// CPU time for 1 % noise a pixel in the 22 degree ring: plain, mirrored, in rings.
 void measureQuality(const RaysPlan& plan);
+/// How the stages of tracing share the time, and how far the search for faces is from a bare loop of it.
+void measureStages(const RaysPlan& plan);
+/// Speed and wrong faces of the ways in which Embree may be asked for the next face.
+void measureEmbree(const RaysPlan& plan);
 
 }  // namespace parhelion::bench

@@ -45,4 +45,16 @@ std::vector<InteriorRay> interiorRays(const Cloud& cloud, std::size_t count) {
   return all;
 }
 
+void fillPool(RayPool& pool, std::span<const InteriorRay> rays, double stretch) {
+  pool.active = static_cast<int>(rays.size());
+  for (int i = 0; i < pool.active; ++i) {
+    for (int k = 0; k < 3; ++k) {
+      pool.point[k][i] = rays[i].point[k];
+      pool.lightDir[k][i] = rays[i].lightDir[k];
+    }
+    pool.face[i] = rays[i].leftFace;
+    pool.stretch[i] = stretch;
+  }
+}
+
 }  // namespace parhelion::bench

@@ -3,9 +3,11 @@
 
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "trace/cloud.h"
+#include "trace/ray_pool.h"
 
 namespace parhelion::bench {
 
@@ -25,6 +27,9 @@ void forEachInteriorRay(const Cloud& cloud, std::uint64_t first, std::uint64_t l
 
 /// The first `count` of them.
 std::vector<InteriorRay> interiorRays(const Cloud& cloud, std::size_t count);
+
+/// Puts rays into a pool, at most as many as it has room for, as those of crystals of one stretch.
+void fillPool(RayPool& pool, std::span<const InteriorRay> rays, double stretch);
 
 /// The crystal that all of a cloud's rays meet; of clouds of one crystal shape.
 Crystal onlyCrystal(const Cloud& cloud);

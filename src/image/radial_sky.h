@@ -25,9 +25,9 @@ class RadialFootprint;
 class RadialSky {
  public:
   /// An empty sky about the unit world vector `toCentre`, for tallies of this info's white and this number of colours.
-  /// Its rings are at most a quarter as wide as the smallest step of a pixel away from the picture's centre (in a
-  /// panorama: of a pixel in latitude), but there are no more than 2^16 of them: 0.0025 to
-  /// 0.0035 degrees. Throws std::invalid_argument for colours other than 1 and 3.
+  /// Its rings are at most an eighth as wide as the smallest step of a pixel away from the picture's centre (in a
+  /// panorama: of a pixel in latitude). There are 2^13 of them at least, and 2^16 at most: 0.0025 to 0.0035 degrees
+  /// wide. Throws std::invalid_argument for colours other than 1 and 3.
   RadialSky(const TallyInfo& info, const Vec3& toCentre, int colours = 3);
 
   int bins() const { return static_cast<int>(rings_.size()); }

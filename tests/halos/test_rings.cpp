@@ -11,17 +11,18 @@ using namespace parhelion;
 namespace {
 
 /// Light over the scattering angle (degrees) of randomly oriented crystals, all of it, whatever faces it has met.
-Histogram scattered(const Cloud& cloud, std::uint64_t rays, Histogram histogram) {
+Histogram scattered(const Cloud& cloud, std::uint64_t rays, Histogram histogram, Engine engine) {
   ScatterProfile profile(static_cast<int>(histogram.energy.size()), radians(histogram.from), radians(histogram.to));
-  traceRays(cloud, {.rays = rays}, 0, profile);
+  traceRays(cloud, {.rays = rays, .engine = engine}, 0, profile);
   const auto bins = profile.bins();
   for (std::size_t i = 0; i < bins.size(); ++i) histogram.energy[i] = bins[i].energy;
   return histogram;
 }
 
-EdgeFit ringEdge(double wavelength, const IceSettings& ice, double guess, std::uint64_t rays) {
+EdgeFit ringEdge(double wavelength, const IceSettings& ice, double guess, std::uint64_t rays,
+                 Engine engine = Engine::planes) {
   const Cloud cloud = cloudUnderPointSun(radians(20), {prisms(1.0, RandomOrientation{})}, ice, wavelength);
-  return fitEdge(scattered(cloud, rays, Histogram(guess - 0.8, guess + 0.8, 320)));
+  return fitEdge(scattered(cloud, rays, Histogram(guess - 0.8, guess + 0.8, 320), engine));
 }
 
 }  // namespace
@@ -32,6 +33,7 @@ TEST_CASE("the 22 degree ring's inner edge lies at the least deviation of the 60
   const EdgeFit edge = ringEdge(550.0, ConstantIce{kIndex}, 21.8, 800'000);
   CHECK(edge.step > 0.0);
   checkPosition("22° ring, inner edge, n = 1.31", expected, edge.position, 0.01);
+  CHECK(std::abs(ringEdge(550.0, ConstantIce{kIndex}, 21.8, 800'000, Engine::embree).position - expected) < 0.01);
 }
 
 TEST_CASE("the 46 degree ring's inner edge lies at the least deviation of the 90 degree wedge, 45.733 at n = 1.31") {
@@ -40,6 +42,7 @@ TEST_CASE("the 46 degree ring's inner edge lies at the least deviation of the 90
   const EdgeFit edge = ringEdge(550.0, ConstantIce{kIndex}, 45.7, 2'000'000);
   CHECK(edge.step > 0.0);
   checkPosition("46° ring, inner edge, n = 1.31", expected, edge.position, 0.03);
+  CHECK(std::abs(ringEdge(550.0, ConstantIce{kIndex}, 45.7, 2'000'000, Engine::embree).position - expected) < 0.03);
 }
 
 TEST_CASE("the 22 degree ring is red inside: its edge is at 22.272 degrees in 450 nm, 21.915 in 550, 21.688 in 650") {

@@ -11,6 +11,7 @@
 
 #include "halos/edge_fit.h"
 #include "scene/parse_scene.h"
+#include "trace/film.h"
 
 using namespace parhelion;
 
@@ -111,6 +112,19 @@ TEST_CASE("every scene in scenes/ names the schema, tells what it shows and load
     CHECK(licence == "# SPDX-License-Identifier: Apache-2.0");
     CHECK(header.starts_with("# "));
     CHECK_NOTHROW(loadScene(kScenes / file));
+  }
+}
+
+TEST_CASE("of every scene's symmetry the most is used: rings for random crystals, mirror images for all others") {
+  for (const std::string& file : sceneFiles()) {
+    CAPTURE(file);
+    const Scene scene = loadScene(kScenes / file).scene;
+    const Cloud cloud(scene.sun, scene.ice, scene.populations);
+    const bool random = file == "random-columns.toml" || file == "pyramids.toml";
+    CHECK(scene.trace.symmetry == Symmetry::automatic);
+    CHECK(symmetryOf(cloud, scene.trace.symmetry) == (random ? Symmetry::radial : Symmetry::mirror));
+    for (const Symmetry asked : {Symmetry::none, Symmetry::mirror, Symmetry::radial})
+      CHECK(symmetryOf(cloud, asked) == asked);
   }
 }
 

@@ -182,8 +182,9 @@ TEST_CASE("a panorama of the whole sphere holds the light of the whole profile")
   const TallyInfo i = info(Projection::equirectangular, 360, 400, 200, 0);
   RadialSky empty(i, kSun, 1);
   const int edge = empty.binAt(atAngle(radians(21.84)));
-  const auto smooth = [&](int bin) { return bin >= edge ? std::exp(-(bin - edge) / 60.0) : 0.01; };
-  const auto glow = [&](int bin) { return std::exp(-bin / 4.0) + std::exp(-(empty.bins() - bin) / 3.0); };
+  const double pixel = empty.bins() / 180.0;  // rings, about
+  const auto smooth = [&](int bin) { return bin >= edge ? std::exp(-(bin - edge) / (15.0 * pixel)) : 0.01; };
+  const auto glow = [&](int bin) { return std::exp(-bin / pixel) + std::exp(-(empty.bins() - bin) / (0.75 * pixel)); };
   // A glow a pixel wide is spread with the accuracy of single pixels, a smooth sky's errors cancel.
   for (const auto& [radiance, bound] :
        std::vector<std::pair<std::function<double(int)>, double>>{{smooth, 1e-6}, {glow, 1e-4}}) {

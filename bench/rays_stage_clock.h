@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <cstdint>
+
+#include "trace/kernels.h"
+#include "trace/path_tally.h"
+
+namespace parhelion::bench {
+
+/// What a wave spends its time on. `naming` is what lies between two kernels where Embree is asked: its answers, and
+/// before them the pool's refill.
+enum class Stage { start, entry, naming, intersection, optics, deposit, pool };
+inline constexpr int kStages = 7;
+
+/// Hands all the time of one thread out to stages.
+class StageClock {
+ public:
+  void start() { last_ = Clock::now(); }
+
+  /// The time since the last lap was that of a stage.
+  void lap(Stage stage) {
+    const Clock::time_point now = Clock::now();
+    nanoseconds_[static_cast<int>(stage)] += std::chrono::duration<double, std::nano>(now - last_).count();
+    ++laps_[static_cast<int>(stage)];
+    last_ = now;
+  }
+
+  /// Of all laps, nanoseconds, without what looking at the clock costs.
+  double nanoseconds(Stage stage) const;
+
+  /// Of one look at the clock, nanoseconds.
+  static double ownCost();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  static double measureCost();
+
+  Clock::time_point last_;
+  std::array<double, kStages> nanoseconds_{};
+  std::array<std::uint64_t, kStages> laps_{};
+};
+
+/// What the kernels of timedKernels() do beside their work; one thread at a time.
+struct StageWatch {
+  const Kernels* kernels = nullptr;  // that do the work
+  StageClock* clock = nullptr;
+  void (*onNamed)(const RayPool& pool) = nullptr;  // called, off the clock, when the pool's faces have names
+};
+extern StageWatch stageWatch;
+
+/// Kernels that do as stageWatch says; `lanes` is that of the real ones.
+Kernels timedKernels(const Kernels& real);
+
+/// A tally on the clock of stageWatch.
+class TimedTally : public PathTally {
+ public:
+  explicit TimedTally(PathTally& real) : real_(real) {}
+
+  int add(const TracedRays& traced) override;
+  std::unique_ptr<PathTally> forThread() override { return std::make_unique<TimedTally>(real_); }
+  void merge(PathTally&) override {}
+
+ private:
+  PathTally& real_;
+};
+
+}  // namespace parhelion::bench
