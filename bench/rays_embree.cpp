@@ -124,16 +124,16 @@ struct Way {
   float from = 0.0f;
 };
 
-/// The first is that of EmbreeIntersector; the others differ from it as their labels say.
+/// The first is that of EmbreeIntersector; the others differ from the second as their labels say.
 const Way kWays[] = {
-    {"masks", "in use: quads and masks", oneByOne, {}},
+    {"packets16", "in use: packets of 16", inPackets<RTCRayHit16, 16>, {}},
+    {"masks", "single rays with quads and masks", oneByOne, {}},
     {"triangles", "triangles", oneByOne, {.triangles = true}},
     {"robust", "robust", oneByOne, {.flags = RTC_SCENE_FLAG_ROBUST}},
     {"medium", "medium build quality", oneByOne, {.quality = RTC_BUILD_QUALITY_MEDIUM}},
     {"low", "low build quality", oneByOne, {.quality = RTC_BUILD_QUALITY_LOW}},
     {"packets4", "packets of 4", inPackets<RTCRayHit4, 4>, {}},
     {"packets8", "packets of 8", inPackets<RTCRayHit8, 8>, {}},
-    {"packets16", "packets of 16", inPackets<RTCRayHit16, 16>, {}},
     {"octants", "sorted by octant", sorted<octant>, {}},
     {"faces", "sorted by face left", sorted<faceLeft>, {}},
     {"filter", "filter instead of masks", oneByOne, {.together = true, .filtered = true}, false},

@@ -11,6 +11,7 @@
 #include "rays_plan.h"
 #include "recon/compare.h"
 #include "recon/reconstruct.h"
+#include "scene/empty_tally.h"
 #include "stopwatch.h"
 #include "trace/film.h"
 #include "trace/trace.h"
@@ -57,7 +58,7 @@ struct Truth {
 Point measure(const Truth& truth, const Configuration& configuration, std::uint64_t rays) {
   TraceSettings settings = configuration.settings;
   settings.rays = rays;
-  Tally tally = emptyTally(truth.loaded, truth.cloud);
+  Tally tally = emptyTally(truth.loaded, truth.cloud, PARHELION_VERSION);
   const auto film = makeFilm(tally, truth.cloud, settings.symmetry);
   const Stopwatch watch;
   const TraceReport report = traceRays(truth.cloud, settings, 0, *film, {.threads = 1, .onProgress = {}});

@@ -14,7 +14,7 @@ set logscale xy
 set format x "10^{%T}"
 set format y "10^{%T}"
 set xlabel "CPU seconds of tracing"
-eval terminalOf(1240, 760)
+eval terminalOf(1440, 760)
 set output fileOf("rays_error_by_time")
 set multiplot title "How fast the error falls: one curve a way to trace (lower left is better)" font ",15"
 do for [row = 1:2] {
@@ -33,16 +33,15 @@ do for [row = 1:2] {
 }
 set lmargin at screen 0.77
 set rmargin at screen 0.99
-slopeOf(k, c, picture) = c > words(skies) ? "" : sprintf("%.2f ", \
-  entryOf2(table, "scene", word(skies, c), "configuration", k, picture."_slope") + 0)
+slopeText(slope) = slope eq "" ? "– " : sprintf("%.2f ", slope + 0)
+slopeOf(k, c, picture) = c > words(skies) ? "" \
+  : slopeText(entryOf2(table, "scene", word(skies, c), "configuration", k, picture."_slope"))
 slopesOf(k, picture) = slopeOf(k, 1, picture).slopeOf(k, 2, picture).slopeOf(k, 3, picture)
-do for [row = 1:2] {
-  set tmargin at screen 0.91 - 0.48 * (row - 1)
-  set bmargin at screen 0.57 - 0.48 * (row - 1)
-  eval keyPlace
-  set key title "slopes, scenes left to right" left
-  plot for [i = 1:2 * words(configurations)] k = word(configurations, (i + 1) / 2) NaN with linespoints \
-    linecolor rgb (i % 2 ? hue(k) : 0xFFFFFF) dashtype dash(k) linewidth width(k) pointtype symbol(k) pointsize 0.8 \
-    title i % 2 ? entryOf(table, "configuration", k, "label") : slopesOf(k, pictures[row])
-}
+set tmargin at screen 0.91
+set bmargin at screen 0.05
+eval keyPlace
+set key title "slopes: plain, then reconstructed,\nscenes left to right" left
+plot for [i = 1:2 * words(configurations)] k = word(configurations, (i + 1) / 2) NaN with linespoints \
+  linecolor rgb (i % 2 ? hue(k) : 0xFFFFFF) dashtype dash(k) linewidth width(k) pointtype symbol(k) pointsize 0.8 \
+  title i % 2 ? entryOf(table, "configuration", k, "label") : slopesOf(k, "plain")." / ".slopesOf(k, "adaptive")
 unset multiplot

@@ -23,7 +23,7 @@ do for [p = 1:2] {
   if (p == 1) {
     set title "position, with its standard error"
     set ylabel "degrees from the sun"
-    set format y "%.3f"
+    set format y "%.4f"
     set key top right
     plot exact with lines linecolor rgb "#404040" linewidth 1.5 title sprintf("closed form, %.4f°", exact), \
       for [e in engines] table using (strcol("engine") eq e ? column("rays") * shift(e) : NaN): \

@@ -26,16 +26,35 @@ class CallTimer {
   explicit CallTimer(RTCScene scene) : scene_(scene) {}
 
   void time(const RayPool& pool) {
-    for (int i = 0; i < pool.active; ++i) queries_[i] = embreeQuery(pool, i);
+    for (int i = 0; i < RayPool::kRoom; ++i) put(embreeQuery(pool, i), i, i < pool.active);
+    const int packets = (pool.active + kPacket - 1) / kPacket;
     clock_.start();
-    for (int i = 0; i < pool.active; ++i) intersectClosest(scene_, queries_[i]);
+    for (int p = 0; p < packets; ++p) intersectClosest(valid_[p].data(), scene_, packets_[p]);
     clock_.lap(Stage::naming);
   }
   double nanoseconds() const { return clock_.nanoseconds(Stage::naming); }
 
  private:
+  static constexpr int kPacket = 16;  // as EmbreeIntersector has it
+
+  void put(const RTCRayHit& query, int i, bool active) {
+    auto& [ray, hit] = packets_[i / kPacket];
+    const int k = i % kPacket;
+    ray.org_x[k] = query.ray.org_x;
+    ray.org_y[k] = query.ray.org_y;
+    ray.org_z[k] = query.ray.org_z;
+    ray.dir_x[k] = query.ray.dir_x;
+    ray.dir_y[k] = query.ray.dir_y;
+    ray.dir_z[k] = query.ray.dir_z;
+    ray.tfar[k] = query.ray.tfar;
+    ray.mask[k] = query.ray.mask;
+    hit.geomID[k] = hit.instID[0][k] = RTC_INVALID_GEOMETRY_ID;
+    valid_[i / kPacket][k] = active ? -1 : 0;
+  }
+
   RTCScene scene_;
-  std::array<RTCRayHit, RayPool::kRoom> queries_;
+  std::array<RTCRayHit16, RayPool::kRoom / kPacket> packets_{};
+  alignas(64) std::array<std::array<int, kPacket>, RayPool::kRoom / kPacket> valid_;
   StageClock clock_;
 };
 

@@ -5,27 +5,15 @@
 #include <utility>
 
 #include "image/tally_exr.h"
+#include "scene/empty_tally.h"
 #include "trace/sky_film.h"
 
 namespace parhelion::bench {
 
-Tally emptyTally(const LoadedScene& loaded, const Cloud& cloud) {
-  const Scene& scene = loaded.scene;
-  TallyInfo info;
-  info.seed = scene.trace.seed;
-  info.white = cloud.spectrum().white();
-  info.sunElevation = scene.sun.elevation;
-  info.sunDiameter = scene.sun.diameter;
-  info.camera = scene.camera;
-  info.scene = loaded.text;
-  info.version = PARHELION_VERSION;
-  return Tally(info, cloud.spectrum().colours());
-}
-
 TracedTally traceTally(const LoadedScene& loaded, const TraceControl& control) {
   const Scene& scene = loaded.scene;
   const Cloud cloud(scene.sun, scene.ice, scene.populations);
-  Tally tally = emptyTally(loaded, cloud);
+  Tally tally = emptyTally(loaded, cloud, PARHELION_VERSION);
   SkyFilm film(tally);
   TraceReport report = traceRays(cloud, scene.trace, 0, film, control);
   tally.info.rays = {{report.firstRay, report.rays}};

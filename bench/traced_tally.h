@@ -9,9 +9,6 @@
 
 namespace parhelion::bench {
 
-/// An empty tally of a scene's camera, with all that is known of it before its rays are traced.
-Tally emptyTally(const LoadedScene& loaded, const Cloud& cloud);
-
 struct TracedTally {
   Tally tally;
   TraceReport report;

@@ -1,24 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/tally_run.h"
 
+#include "scene/empty_tally.h"
 #include "trace/film.h"
 
 namespace parhelion::cli {
 
 TallyRun traceTally(const RunOptions& options, const LoadedScene& loaded, const Cloud& cloud, const StopSignal& stop) {
   const Scene& scene = loaded.scene;
-  TallyInfo info;
-  info.seed = scene.trace.seed;
-  info.white = cloud.spectrum().white();
-  info.sunElevation = scene.sun.elevation;
-  info.sunDiameter = scene.sun.diameter;
-  info.camera = scene.camera;
-  info.scene = loaded.text;
-  info.version = PARHELION_VERSION;
-
   Scene chosen = scene;
   chosen.trace.symmetry = symmetryOf(cloud, scene.trace.symmetry);
-  TallyRun run{Tally(info, cloud.spectrum().colours()), {}};
+  TallyRun run{emptyTally(loaded, cloud, PARHELION_VERSION), {}};
   const auto film = makeFilm(run.tally, cloud, chosen.trace.symmetry);
   run.result = runTrace(options, chosen, cloud, *film, stop);
   if (run.result.report.rays > 0) run.tally.info.rays = {{run.result.report.firstRay, run.result.report.rays}};

@@ -21,4 +21,15 @@ inline void intersectClosest(RTCScene scene, RTCRayHit& query) {
 #endif
 }
 
+/// The same for those rays of a packet whose `valid` is -1.
+inline void intersectClosest(const int* valid, RTCScene scene, RTCRayHit16& query) {
+#if RTC_VERSION_MAJOR >= 4
+  rtcIntersect16(valid, scene, &query);
+#else
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcIntersect16(valid, scene, &context, &query);
+#endif
+}
+
 }  // namespace parhelion

@@ -104,6 +104,35 @@ EmbreeIntersector::EmbreeIntersector(const EmbreeDevice& device, const CrystalMe
   device_->check("building a crystal");
 }
 
+void EmbreeIntersector::nameFaces(RayPool& pool) const {
+  // Packets of 16 are a tenth to a fifth faster than single rays, and find the same faces.
+  constexpr int kPacket = 16;
+  static_assert(RayPool::kRoom % kPacket == 0);
+  alignas(64) int valid[kPacket];
+  RTCRayHit16 packet{};
+  auto& [ray, hit] = packet;
+  for (int first = 0; first < pool.active; first += kPacket) {
+    for (int k = 0; k < kPacket; ++k) {
+      const int i = first + k;
+      const double perStretch = 1.0 / pool.stretch[i];
+      ray.org_x[k] = static_cast<float>(pool.point[0][i]);
+      ray.org_y[k] = static_cast<float>(pool.point[1][i]);
+      ray.org_z[k] = static_cast<float>(pool.point[2][i] * perStretch);
+      ray.dir_x[k] = static_cast<float>(pool.lightDir[0][i]);
+      ray.dir_y[k] = static_cast<float>(pool.lightDir[1][i]);
+      ray.dir_z[k] = static_cast<float>(pool.lightDir[2][i] * perStretch);
+      ray.tfar[k] = std::numeric_limits<float>::infinity();
+      ray.mask[k] = ~(1u << static_cast<int>(pool.face[i]));
+      hit.geomID[k] = hit.instID[0][k] = RTC_INVALID_GEOMETRY_ID;
+      valid[k] = i < pool.active ? -1 : 0;
+    }
+    intersectClosest(valid, scene_.get(), packet);
+    for (int k = 0; k < kPacket; ++k)
+      pool.nextFace[first + k] = hit.geomID[k] == RTC_INVALID_GEOMETRY_ID ? kNoFace : static_cast<int>(hit.geomID[k]);
+  }
+}
+
+/// What Embree alone says of one ray; kNoFace where it finds none.
 int EmbreeIntersector::faceByEmbree(double stretch, const Vec3& point, const Vec3& lightDir, int leftFace) const {
   // An affine map keeps the ray parameter: the ray is taken to the mesh as Embree has it, not the stretched mesh to the
   // ray.

@@ -7,6 +7,7 @@
 
 #include "crystal/crystal.h"
 #include "trace/intersector.h"
+#include "trace/ray_pool.h"
 
 struct RTCSceneTy;
 
@@ -41,10 +42,12 @@ class EmbreeIntersector {
   /// Embree finds none, the planes decide; empty only when they cannot either.
   std::optional<FaceHit> nextFace(const Crystal& crystal, const Vec3& point, const Vec3& lightDir, int leftFace) const;
 
-  /// What Embree alone says of the same; kNoFace where it finds none.
-  int faceByEmbree(double stretch, const Vec3& point, const Vec3& lightDir, int leftFace) const;
+  /// What Embree alone says of all rays in a pool, into its nextFace; kNoFace where it finds none.
+  void nameFaces(RayPool& pool) const;
 
  private:
+  int faceByEmbree(double stretch, const Vec3& point, const Vec3& lightDir, int leftFace) const;
+
   std::shared_ptr<EmbreeDevice::State> device_;
   std::shared_ptr<RTCSceneTy> scene_;
 };

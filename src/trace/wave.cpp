@@ -12,13 +12,6 @@ namespace {
 
 Vec3 at(const RayPool::Numbers* rows, int place) { return {rows[0][place], rows[1][place], rows[2][place]}; }
 
-/// Asks Embree for the next face of each ray in the pool.
-void nameFaces(const EmbreeIntersector& engine, RayPool& pool) {
-  for (int i = 0; i < pool.active; ++i)
-    pool.nextFace[i] =
-        engine.faceByEmbree(pool.stretch[i], at(pool.point, i), at(pool.lightDir, i), static_cast<int>(pool.face[i]));
-}
-
 /// Asks the planes where there is no next face; returns how many they found.
 int rescueRays(const CrystalMesh& mesh, RayPool& pool) {
   int rescued = 0;
@@ -103,7 +96,7 @@ void Wave::follow(RayQueue& queue, int population, int members) {
 void Wave::findFaces(int population) {
   std::visit(Overloaded{[&](const PlanesIntersector& planes) { kernels_.findFaces(planes.slabs(), *pool_); },
                         [&](const EmbreeIntersector& embree) {
-                          nameFaces(embree, *pool_);
+                          embree.nameFaces(*pool_);
                           kernels_.measureFaces(cloud_.faces(population), *pool_);
                           counts_.rescued += rescueRays(cloud_.populations()[population].mesh(), *pool_);
                         }},
