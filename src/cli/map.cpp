@@ -48,7 +48,7 @@ Image image(const SkyMap& map) {
 }
 
 int runMap(const MapOptions& options, int binsPerHalfTurn) {
-  const LoadedScene loaded = options.run.load();
+  const LoadedScene loaded = options.run.loadWithoutSymmetry();
   requireOutputs(options.run.scene, {options.output, options.run.stats});
   const Cloud cloud = makeCloud(loaded.scene);
   SkyMap map(cloud.sun().toCentre(), binsPerHalfTurn);

@@ -50,7 +50,7 @@ nlohmann::ordered_json json(const ScatterProfile::Summary& s) {
 }
 
 int runProfile(const ProfileOptions& options) {
-  const Scene scene = options.run.load().scene;
+  const Scene scene = options.run.loadWithoutSymmetry().scene;
   requireOutputs(options.run.scene, {options.output, options.summary, options.run.stats});
   const Cloud cloud = makeCloud(scene);
   ScatterProfile profile(options.bins, radians(options.from), radians(options.to));

@@ -23,6 +23,14 @@ std::string validRays(const std::string& text) {
   }
 }
 
+/// All words for the values of an enumeration, as help texts show them.
+template <class E>
+std::string choices() {
+  std::string all;
+  for (const Named<E>& named : namesOf(E{})) all += (all.empty() ? "" : "|") + std::string(named.name);
+  return all;
+}
+
 /// Complains unless `text` is WIDTHxHEIGHT.
 std::string validResolution(const std::string& text) {
   int width = 0, height = 0, length = 0;
@@ -85,14 +93,14 @@ void RunOptions::addTo(CLI::App& command, bool hasImage) {
       ->check(CLI::Validator(validRays, ""));
   command.add_option("--seed", seed, "Seed of the random numbers")->type_name("N")->check(wholeNumber());
   command.add_option("--engine", engine, "What finds the next face of a crystal")
-      ->type_name("NAME")
+      ->type_name(choices<Engine>())
       ->check(nameOfOne<Engine>(kEngineNames));
   command.add_option("--sampler", sampler, "Where the numbers come from that rays are drawn from")
-      ->type_name("NAME")
+      ->type_name(choices<Sampler>())
       ->check(nameOfOne<Sampler>(kSamplerNames));
   if (hasImage)
     command.add_option("--symmetry", symmetry, "Symmetry of the sky to make use of")
-        ->type_name("NAME")
+        ->type_name(choices<Symmetry>())
         ->check(nameOfOne<Symmetry>(kSymmetryNames));
   if (hasImage)
     command.add_option("--resolution", resolution, "Size of the picture in pixels")
@@ -105,7 +113,7 @@ void RunOptions::addTo(CLI::App& command, bool hasImage) {
       ->type_name("N")
       ->check(CLI::Range(1, 4096));
   command.add_option("--simd", simd, "Vector registers to use; the picture is the same with all of them")
-      ->type_name("NAME")
+      ->type_name(choices<Simd>())
       ->check(nameOfOne<Simd>(kSimdNames));
   command.add_flag("--quiet", quiet, "No progress and no ledger on stderr");
   command.add_option("--progress", progress, "Progress as lines of JSON, for farms")
@@ -126,6 +134,12 @@ LoadedScene RunOptions::load() const {
     all.push_back("camera.resolution=[" + size + "]");
   }
   return loadScene(scene, all);
+}
+
+LoadedScene RunOptions::loadWithoutSymmetry() const {
+  LoadedScene loaded = load();
+  loaded.scene.trace.symmetry = Symmetry::none;
+  return loaded;
 }
 
 int RunResult::exitCode() const { return signalled ? kInterrupted : kDone; }
@@ -149,7 +163,10 @@ RunResult runTrace(const RunOptions& options, const Scene& scene, const Cloud& c
   result.signalled = result.report.interrupted && stop.requested();
   progress.finish();
   if (!options.quiet) printLedger(result.report);
-  if (!options.stats.empty()) writeStats(options.stats, scene, result.report, options.threads);
+  if (options.stats.empty()) return result;
+  Scene traced = scene;
+  traced.trace.engine = engineOf(cloud, scene.trace.engine);
+  writeStats(options.stats, traced, result.report, options.threads);
   return result;
 }
 

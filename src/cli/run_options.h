@@ -34,6 +34,9 @@ struct RunOptions {
 
   /// The scene with all overrides applied. Throws SceneError.
   LoadedScene load() const;
+
+  /// The same for commands that count every ray for itself, whatever the sky's symmetry.
+  LoadedScene loadWithoutSymmetry() const;
 };
 
 /// Adds -D key=value, which overrides a key of the scene, to a subcommand.

@@ -1,7 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "trace/engine.h"
 
+#include <algorithm>
+
 namespace parhelion {
+
+Engine engineOf(const Cloud& cloud, Engine asked) {
+  const auto isConvex = [](const Population& population) { return population.mesh().isConvex(); };
+  return asked == Engine::automatic && std::ranges::all_of(cloud.populations(), isConvex) ? Engine::planes : asked;
+}
 
 Engines makeEngines(const Cloud& cloud, Engine engine) {
   const EmbreeMode mode = engine == Engine::embreeRobust ? EmbreeMode::robust : EmbreeMode::fast;

@@ -72,6 +72,8 @@ TraceReport traceRays(const Cloud& cloud, const TraceSettings& settings, std::ui
   if (rest > 0 && !report.interrupted) {
     Worker& worker = workers.local();
     worker.wave->trace(wholeBundles, 1, rest, *worker.tally);
+    report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    if (control.onProgress) control.onProgress(settings.rays - firstRay, report.seconds);
   }
 
   for (Worker& worker : workers) {
