@@ -52,6 +52,9 @@ int run(int argc, char** argv) {
   addRender(app, exit);
   addTrace(app, exit);
   addRecon(app, exit);
+  addComposite(app, exit);
+  addSweep(app, exit);
+  addView(app, exit);
   addProfile(app, exit);
   addMap(app, exit);
   addReplay(app, exit);

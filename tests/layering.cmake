@@ -11,22 +11,28 @@ set(may_crystal math)
 set(may_image math)
 set(may_trace crystal optics image math)
 set(may_recon image math)
+set(may_photo image math)
+set(may_view photo optics image math)
 set(may_scene trace recon crystal optics image math)
-set(may_cli scene trace recon crystal optics image math)
+set(may_cli scene view photo trace recon crystal optics image math)
 set(may_main cli scene)
 
 # Third-party header (a regular expression of the start of its name) and the folders in which it may appear.
 set(third_party
-  "glm/|math,optics,crystal,image,trace,recon"
+  "glm/|math,optics,crystal,image,trace,recon,photo,view"
   "sleef\\.h|math"
   "embree[34]/|trace"
-  "tbb/|trace,recon"
+  "tbb/|trace,recon,photo"
   "kissfft/|recon"
   "Imf|image"
   "Iex|image"
   "Imath|image"
   "OpenEXR/|image"
   "png\\.h|image"
+  "jpeglib\\.h|image"
+  "turbojpeg\\.h|image"
+  "lcms2\\.h|image"
+  "cairo|view"
   "toml\\+\\+/|scene"
   "nlohmann/|scene,cli"
   "CLI/|cli")

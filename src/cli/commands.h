@@ -17,6 +17,9 @@ enum ExitCode {
 void addRender(CLI::App& app, int& exit);
 void addTrace(CLI::App& app, int& exit);
 void addRecon(CLI::App& app, int& exit);
+void addComposite(CLI::App& app, int& exit);
+void addSweep(CLI::App& app, int& exit);
+void addView(CLI::App& app, int& exit);
 void addProfile(CLI::App& app, int& exit);
 void addMap(CLI::App& app, int& exit);
 void addReplay(CLI::App& app, int& exit);

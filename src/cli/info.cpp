@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 
 #include "cli/commands.h"
 #include "image/exr.h"
@@ -20,13 +18,6 @@ struct InfoOptions {
 };
 
 constexpr const char* kSceneAttribute = "parhelion:scene";
-
-bool isExr(const std::string& path) {
-  constexpr std::array<char, 4> kMagic{0x76, 0x2f, 0x31, 0x01};
-  std::array<char, 4> start{};
-  std::ifstream(path, std::ios::binary).read(start.data(), start.size());
-  return start == kMagic;
-}
 
 void printChannel(const Channel& channel) {
   float least = INFINITY, greatest = -INFINITY;

@@ -87,6 +87,14 @@ void addOverrides(CLI::App& command, std::vector<std::string>& overrides) {
 
 void RunOptions::addTo(CLI::App& command, bool hasImage) {
   command.add_option("scene", scene, "The scene file")->required()->type_name("SCENE");
+  addTracingTo(command, hasImage);
+  if (hasImage)
+    command.add_option("--resolution", resolution, "Size of the picture in pixels")
+        ->type_name("WxH")
+        ->check(CLI::Validator(validResolution, ""));
+}
+
+void RunOptions::addTracingTo(CLI::App& command, bool hasImage) {
   addOverrides(command, overrides);
   command.add_option("--rays", rays, "Incident rays, all wavelengths together; k, M and G are understood")
       ->type_name("N")
@@ -102,10 +110,6 @@ void RunOptions::addTo(CLI::App& command, bool hasImage) {
     command.add_option("--symmetry", symmetry, "Symmetry of the sky to make use of")
         ->type_name(choices<Symmetry>())
         ->check(nameOfOne<Symmetry>(kSymmetryNames));
-  if (hasImage)
-    command.add_option("--resolution", resolution, "Size of the picture in pixels")
-        ->type_name("WxH")
-        ->check(CLI::Validator(validResolution, ""));
   command.add_option("--time", timeLimit, "Stop after this many seconds, whatever has been traced")
       ->type_name("SECONDS")
       ->check(number(1e-3, 1e9));
@@ -121,7 +125,7 @@ void RunOptions::addTo(CLI::App& command, bool hasImage) {
   command.add_option("--stats", stats, "Write the run's figures as JSON")->type_name("FILE");
 }
 
-LoadedScene RunOptions::load() const {
+LoadedScene RunOptions::load(const std::vector<std::string>& more) const {
   std::vector<std::string> all = overrides;
   if (!rays.empty()) all.push_back("trace.rays=" + std::to_string(parseRayCount(rays)));
   if (!seed.empty()) all.push_back("trace.seed=" + seed);
@@ -133,6 +137,7 @@ LoadedScene RunOptions::load() const {
     size.replace(size.find('x'), 1, ",");
     all.push_back("camera.resolution=[" + size + "]");
   }
+  all.insert(all.end(), more.begin(), more.end());
   return loadScene(scene, all);
 }
 

@@ -32,8 +32,11 @@ struct RunOptions {
   /// Adds the scene argument and the options to a subcommand.
   void addTo(CLI::App& command, bool hasImage);
 
-  /// The scene with all overrides applied. Throws SceneError.
-  LoadedScene load() const;
+  /// The same without the scene and the picture's size, for commands that get these in another way.
+  void addTracingTo(CLI::App& command, bool hasImage);
+
+  /// The scene with all overrides applied, and then `more`. Throws SceneError.
+  LoadedScene load(const std::vector<std::string>& more = {}) const;
 
   /// The same for commands that count every ray for itself, whatever the sky's symmetry.
   LoadedScene loadWithoutSymmetry() const;

@@ -61,6 +61,9 @@ CameraSettings validated(const CameraSettings& s) {
   require(s.imageCircle == 0.0 || isFisheye(s.projection), "only a fisheye has an image circle");
   require(s.imageCircle >= 0.0 && withinLimit(s.projection, s.imageCircle),
           "the image circle must be within what the projection can show");
+  const Distortion& d = s.distortion;
+  require(std::isfinite(d.k1) && std::isfinite(d.k2) && std::isfinite(d.k3), "distortion must be finite");
+  require(d.none() || s.projection != Projection::equirectangular, "only lenses have distortion");
   return s;
 }
 
@@ -130,6 +133,7 @@ Camera::Camera(const CameraSettings& settings)
       forward_(skyDirection(settings.azimuth, settings.elevation)),
       centre_(0.5 * settings.width, 0.5 * settings.height),
       focal_(0.5 * extentPixels(settings) / radiusAt(settings.projection, 0.5 * settings.fieldOfView)),
+      idealRadius_(std::numeric_limits<double>::infinity()),
       circleRadius_(std::numeric_limits<double>::infinity()),
       minCosine_(std::numeric_limits<double>::min()) {
   // Up is d skyDirection / d elevation, which is defined at the zenith too.
@@ -144,9 +148,22 @@ Camera::Camera(const CameraSettings& settings)
   right_ = cosRoll * right - sinRoll * up;
 
   if (isFisheye(settings.projection)) {
-    circleRadius_ = radiusAt(settings.projection, maxAngle(settings));
+    idealRadius_ = circleRadius_ = radiusAt(settings.projection, maxAngle(settings));
     minCosine_ = portable::cos(maxAngle(settings)) - kCosineSlack;
   }
+  if (!settings.distortion.none()) limitDistortion();
+}
+
+void Camera::limitDistortion() {
+  const double fold = settings_.distortion.foldRadius(), corner = glm::length(centre_) / focal_;
+  if (fold < idealRadius_) {
+    require(settings_.distortion.distorted(fold) >= corner,
+            "the distortion folds the picture over before it reaches the corners");
+    idealRadius_ = fold;
+    minCosine_ = std::max(minCosine_, atSquaredRadius(fold * fold).cosine);
+  }
+  // Where nothing folds, the radius grows without end.
+  circleRadius_ = std::isinf(idealRadius_) ? idealRadius_ : settings_.distortion.distorted(idealRadius_);
 }
 
 bool Camera::isMirrorSymmetric() const {
@@ -156,39 +173,46 @@ bool Camera::isMirrorSymmetric() const {
 
 std::optional<Vec3> Camera::toSky(Vec2 pixel) const {
   if (!(pixel.x >= 0.0 && pixel.x <= width() && pixel.y >= 0.0 && pixel.y <= height())) return std::nullopt;
-  const Vec2 p{(pixel.x - centre_.x) / focal_, (centre_.y - pixel.y) / focal_};
-  const double r2 = p.x * p.x + p.y * p.y;
+  return directionAt(pixel);
+}
+
+Camera::AxisAngle Camera::atSquaredRadius(double r2) const {
+  const double r = std::sqrt(r2);
+  switch (settings_.projection) {
+    case Projection::rectilinear: {
+      const double cosine = 1.0 / std::sqrt(1.0 + r2);
+      return {cosine, cosine};
+    }
+    case Projection::fisheyeEqualArea:
+      return {1.0 - 0.5 * r2, std::sqrt(std::max(0.0, 1.0 - 0.25 * r2))};
+    case Projection::fisheyeStereographic:
+      return {(1.0 - 0.25 * r2) / (1.0 + 0.25 * r2), 1.0 / (1.0 + 0.25 * r2)};
+    case Projection::fisheyeOrthographic:
+      return {std::sqrt(std::max(0.0, (1.0 - r) * (1.0 + r))), 1.0};
+    case Projection::fisheyeEquidistant:
+    case Projection::equirectangular:
+      break;
+  }
+  return {portable::cos(r), r > 0.0 ? portable::sin(r) / r : 1.0};
+}
+
+std::optional<Vec3> Camera::directionAt(Vec2 pixel) const {
+  Vec2 p{(pixel.x - centre_.x) / focal_, (centre_.y - pixel.y) / focal_};
+  if (settings_.projection == Projection::equirectangular) {
+    if (std::abs(p.x) > kPi * kAngleSlack || std::abs(p.y) > 0.5 * kPi * kAngleSlack) return std::nullopt;
+    const auto [sinLon, cosLon] = portable::sincos(p.x);
+    const auto [sinLat, cosLat] = portable::sincos(p.y);
+    return cosLat * sinLon * right_ + sinLat * up_ + cosLat * cosLon * forward_;
+  }
+  double r2 = p.x * p.x + p.y * p.y;
   const double r = std::sqrt(r2);
   if (r > circleRadius_) return std::nullopt;
-
-  double cosine = 0.0, sinePerRadius = 1.0;
-  switch (settings_.projection) {
-    case Projection::rectilinear:
-      cosine = 1.0 / std::sqrt(1.0 + r2);
-      sinePerRadius = cosine;
-      break;
-    case Projection::fisheyeEqualArea:
-      cosine = 1.0 - 0.5 * r2;
-      sinePerRadius = std::sqrt(std::max(0.0, 1.0 - 0.25 * r2));
-      break;
-    case Projection::fisheyeEquidistant:
-      cosine = portable::cos(r);
-      sinePerRadius = r > 0.0 ? portable::sin(r) / r : 1.0;
-      break;
-    case Projection::fisheyeStereographic:
-      cosine = (1.0 - 0.25 * r2) / (1.0 + 0.25 * r2);
-      sinePerRadius = 1.0 / (1.0 + 0.25 * r2);
-      break;
-    case Projection::fisheyeOrthographic:
-      cosine = std::sqrt(std::max(0.0, (1.0 - r) * (1.0 + r)));
-      break;
-    case Projection::equirectangular: {
-      if (std::abs(p.x) > kPi * kAngleSlack || std::abs(p.y) > 0.5 * kPi * kAngleSlack) return std::nullopt;
-      const auto [sinLon, cosLon] = portable::sincos(p.x);
-      const auto [sinLat, cosLat] = portable::sincos(p.y);
-      return cosLat * sinLon * right_ + sinLat * up_ + cosLat * cosLon * forward_;
-    }
+  if (!settings_.distortion.none() && r > 0.0) {
+    const double ideal = settings_.distortion.undistorted(r, idealRadius_);
+    p *= ideal / r;
+    r2 = ideal * ideal;
   }
+  const auto [cosine, sinePerRadius] = atSquaredRadius(r2);
   return sinePerRadius * (p.x * right_ + p.y * up_) + cosine * forward_;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "image/distortion.h"
 #include "math/conventions.h"
 
 namespace parhelion {
@@ -26,6 +27,7 @@ struct CameraSettings {
   FieldOfViewAxis fieldOfViewAxis = FieldOfViewAxis::horizontal;
   double fieldOfView = kPi;  // rad, from border to border of the image
   double imageCircle = 0.0;  // rad, full angle a fisheye lens covers; 0: the larger of pi and the field of view
+  Distortion distortion;     // of a lens that is not ideal; never of an equirectangular picture
   int width = 1024;          // pixels
   int height = 1024;         // pixels
 

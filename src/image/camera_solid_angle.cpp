@@ -96,8 +96,9 @@ double circleHeight(Projection projection, double r2) {
       return r2 / (1.0 + std::sqrt(std::max(0.0, 1.0 - r2)));
     case Projection::fisheyeStereographic:
       return 2.0 * r2 / (4.0 + r2);
+    case Projection::rectilinear:  // has a circle only where its distortion folds
+      return r2 / (1.0 + r2 + std::sqrt(1.0 + r2));
     case Projection::fisheyeEqualArea:
-    case Projection::rectilinear:
     case Projection::equirectangular:
       break;
   }
@@ -111,14 +112,15 @@ struct EdgeSum {
   double angle = 0.0;
 };
 
-EdgeSum edgeSum(Projection projection, double radius, double c, double a, double b) {
+template <class EdgeIntegral>
+EdgeSum edgeSum(const EdgeIntegral& edgeIntegral, double radius, double c, double a, double b) {
   const double chord2 = (radius - c) * (radius + c);
   if (c == 0.0 || chord2 <= 0.0) return {};
   const double chord = std::sqrt(chord2);
   a = std::max(a, -chord);
   b = std::min(b, chord);
   if (a >= b) return {};
-  return {c * edgeIntegral(projection, c, a, b), portable::atan2(c * (b - a), c * c + a * b)};
+  return {c * edgeIntegral(c, a, b), portable::atan2(c * (b - a), c * c + a * b)};
 }
 
 /// Share of the directions about the axis that lead into an interval: the axis in it, on its border, or outside.
@@ -147,23 +149,37 @@ double equirectangularSolidAngle(Vec2 lo, Vec2 hi) {
 
 }  // namespace
 
-double Camera::fisheyeSolidAngle(Vec2 lo, Vec2 hi) const {
+double Camera::distortedHeight(double squared) const {
+  if (squared == 0.0) return 0.5;
+  const double r = std::sqrt(squared), ideal = settings_.distortion.undistorted(r, idealRadius_);
+  const auto [cosine, sinePerRadius] = atSquaredRadius(ideal * ideal);
+  const double sinePerPlace = sinePerRadius * ideal / r;
+  // 1 - cos theta = sin^2 theta / (1 + cos theta), without cancellation near the axis.
+  return cosine < 0.0 ? (1.0 - cosine) / squared : sinePerPlace * sinePerPlace / (1.0 + cosine);
+}
+
+double Camera::azimuthalSolidAngle(Vec2 lo, Vec2 hi) const {
   const double radius = circleRadius_;
   const Vec2 far{std::max(std::abs(lo.x), std::abs(hi.x)), std::max(std::abs(lo.y), std::abs(hi.y))};
   const Projection projection = settings_.projection;
+  const bool distorted = !settings_.distortion.none();
+  const auto integral = [&](double c, double a, double b) {
+    if (!distorted) return edgeIntegral(projection, c, a, b);
+    return integrate([&](double s) { return distortedHeight(c * c + s * s); }, a, b - a);
+  };
 
   // Counter-clockwise: the edges at hi count positive, those at lo negative.
-  const EdgeSum top = edgeSum(projection, radius, hi.y, lo.x, hi.x);
-  const EdgeSum bottom = edgeSum(projection, radius, lo.y, lo.x, hi.x);
-  const EdgeSum right = edgeSum(projection, radius, hi.x, lo.y, hi.y);
-  const EdgeSum left = edgeSum(projection, radius, lo.x, lo.y, hi.y);
+  const EdgeSum top = edgeSum(integral, radius, hi.y, lo.x, hi.x);
+  const EdgeSum bottom = edgeSum(integral, radius, lo.y, lo.x, hi.x);
+  const EdgeSum right = edgeSum(integral, radius, hi.x, lo.y, hi.y);
+  const EdgeSum left = edgeSum(integral, radius, lo.x, lo.y, hi.y);
   double sum = (top.integral - bottom.integral) + (right.integral - left.integral);
 
   // Where the circle cuts the pixel, its arcs take up the angle about the axis that the edges leave.
   if (far.x * far.x + far.y * far.y > radius * radius) {
     const double edges = (top.angle - bottom.angle) + (right.angle - left.angle);
     const double arcs = 2.0 * kPi * axisShare(lo.x, hi.x) * axisShare(lo.y, hi.y) - edges;
-    sum += circleHeight(projection, radius * radius) * arcs;
+    sum += circleHeight(projection, idealRadius_ * idealRadius_) * arcs;
   }
   return std::max(0.0, sum);
 }
@@ -173,9 +189,10 @@ double Camera::solidAngle(int x, int y) const {
   const double column = std::min(x, width() - 1 - x), row = std::min(y, height() - 1 - y);
   const Vec2 lo = (Vec2{column, row} - centre_) / focal_;
   const Vec2 hi = (Vec2{column + 1.0, row + 1.0} - centre_) / focal_;
-  if (settings_.projection == Projection::rectilinear) return rectilinearSolidAngle(lo, hi);
   if (settings_.projection == Projection::equirectangular) return equirectangularSolidAngle(lo, hi);
-  return fisheyeSolidAngle(lo, hi);
+  if (settings_.projection == Projection::rectilinear && settings_.distortion.none())
+    return rectilinearSolidAngle(lo, hi);
+  return azimuthalSolidAngle(lo, hi);
 }
 
 std::vector<double> Camera::solidAngles() const {

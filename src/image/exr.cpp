@@ -2,6 +2,7 @@
 #include "image/exr.h"
 
 #include <ImfChannelList.h>
+#include <ImfEnvmapAttribute.h>
 #include <ImfFrameBuffer.h>
 #include <ImfInputPart.h>
 #include <ImfMultiPartInputFile.h>
@@ -13,6 +14,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <ctime>
+#include <fstream>
 
 #include "image/exr_stream.h"
 
@@ -38,11 +40,12 @@ std::string captureDate() {
   return date.data();
 }
 
-Imf::Header beautyHeader(const Image& image, ExrAttributes attributes) {
+Imf::Header beautyHeader(const Image& image, ExrAttributes attributes, Envmap envmap) {
   Imf::Header header(image.width, image.height);
   header.compression() = Imf::ZIP_COMPRESSION;
   for (const Channel& channel : image.channels) header.channels().insert(channel.name, Imf::Channel(Imf::FLOAT));
   Imf::addChromaticities(header, Imf::Chromaticities());  // the default is Rec.709 with D65
+  if (envmap == Envmap::latLong) Imf::addEnvmap(header, Imf::ENVMAP_LATLONG);
   if (const std::string date = captureDate(); !date.empty()) attributes["capDate"] = date;
   insertText(header, attributes);
   return header;
@@ -67,11 +70,24 @@ Image readPart(const std::filesystem::path& path, Imf::MultiPartInputFile& file)
   return image;
 }
 
+DisplayWindow displayOf(const Imf::Header& header) {
+  const Imath::Box2i &data = header.dataWindow(), &display = header.displayWindow();
+  return {display.min.x - data.min.x, display.min.y - data.min.y, display.max.x - display.min.x + 1,
+          display.max.y - display.min.y + 1};
+}
+
+std::optional<Chromaticities> chromaticitiesOf(const Imf::Header& header) {
+  if (!Imf::hasChromaticities(header)) return {};
+  const Imf::Chromaticities& c = Imf::chromaticities(header);
+  const auto vec2 = [](const Imath::V2f& v) { return Vec2{v.x, v.y}; };
+  return Chromaticities{vec2(c.red), vec2(c.green), vec2(c.blue), vec2(c.white)};
+}
+
 }  // namespace
 
-void writeBeautyExr(const std::filesystem::path& path, const Image& image, ExrAttributes attributes) {
+void writeBeautyExr(const std::filesystem::path& path, const Image& image, ExrAttributes attributes, Envmap envmap) {
   withExrErrors(path, [&] {
-    const Imf::Header header = beautyHeader(image, std::move(attributes));
+    const Imf::Header header = beautyHeader(image, std::move(attributes), envmap);
     AtomicFile file(path);
     {
       ExrOutput stream(path, file);
@@ -85,12 +101,28 @@ void writeBeautyExr(const std::filesystem::path& path, const Image& image, ExrAt
   });
 }
 
+bool isExr(const std::filesystem::path& path) {
+  constexpr std::array<char, 4> kMagic{0x76, 0x2f, 0x31, 0x01};
+  std::array<char, 4> start{};
+  std::ifstream(path, std::ios::binary).read(start.data(), start.size());
+  return start == kMagic;
+}
+
 ExrFile readExr(const std::filesystem::path& path) {
   requireSaneHeaders(path);
   return withExrErrors(path, [&] {
     Imf::MultiPartInputFile file(path.c_str(), 0, false);  // no threads, no guessing at missing scan lines
     Image image = readPart(path, file);
-    return ExrFile{std::move(image), textOf(file.header(0))};
+    const Imf::Header& header = file.header(0);
+    return ExrFile{std::move(image), textOf(header), displayOf(header), chromaticitiesOf(header)};
+  });
+}
+
+ExrAttributes readExrAttributes(const std::filesystem::path& path) {
+  requireSaneHeaders(path);
+  return withExrErrors(path, [&] {
+    Imf::MultiPartInputFile file(path.c_str(), 0, false);
+    return textOf(file.header(0));
   });
 }
 

@@ -105,9 +105,13 @@ void requireSaneSize(const std::filesystem::path& path, const Imf::Header& heade
     }
     sampleBytes += 4;
   }
-  // Deflate packs at most 1032 to 1, the other lossless codecs less.
-  constexpr std::uint64_t kMostCompressed = 1100;
-  if (width * height * sampleBytes / kMostCompressed > std::filesystem::file_size(path)) {
+  // Deflate packs at most 1032 to 1, the other lossless codecs less. DWA deflates what is left of 8 x 8 samples, which
+  // is two or more.
+  constexpr std::uint64_t kMostDeflated = 1100, kBlock = 64;
+  const Imf::Compression codec = header.compression();
+  const bool byBlocks = codec == Imf::DWAA_COMPRESSION || codec == Imf::DWAB_COMPRESSION;
+  const std::uint64_t mostCompressed = kMostDeflated * (byBlocks ? kBlock : 1);
+  if (width * height * sampleBytes / mostCompressed > std::filesystem::file_size(path)) {
     throw exrError(path, "the header promises more pixels than the file can hold");
   }
 }

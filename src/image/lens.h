@@ -13,6 +13,7 @@ struct Lens {
   Triple<double> right, up, forward;  // world, orthonormal
   double centreX, centreY, focal;     // pixels
   double minCosine;                   // of angles from the axis inside the image circle
+  Distortion distortion;
 
   /// A place in the picture, pixel coordinates, or none where `inside` does not hold.
   template <class T>
@@ -21,9 +22,17 @@ struct Lens {
     T x, y;
   };
 
-  /// Where the sky point toward the unit world vector `toSky` appears.
+  /// Where the sky point toward the unit world vector `toSky` appears in the picture.
   template <class T>
   PARHELION_INLINE Place<T> project(const Triple<T>& toSky) const {
+    const auto [seen, px, py] = place(toSky);
+    const MaskOf<T> inside = seen & (px >= 0.0) & (px < width) & (py >= 0.0) & (py < height);
+    return {inside, px, py};
+  }
+
+  /// The same, also beyond the picture's borders: `inside` says only that the projection can show the point.
+  template <class T>
+  PARHELION_INLINE Place<T> place(const Triple<T>& toSky) const {
     Triple<T> v{along(right, toSky), along(up, toSky), along(forward, toSky)};
     MaskOf<T> seen = v.z == v.z;
     T x, y;  // focal lengths, y up
@@ -41,10 +50,13 @@ struct Lens {
       const T factor = radiusPerSine(v);
       x = v.x * factor;
       y = v.y * factor;
+      if (!distortion.none()) {
+        const T moved = distortion.factor(x * x + y * y);
+        x = x * moved;
+        y = y * moved;
+      }
     }
-    const T px = centreX + x * (focal * kShrink), py = centreY - y * (focal * kShrink);
-    const MaskOf<T> inside = seen & (px >= 0.0) & (px < width) & (py >= 0.0) & (py < height);
-    return {inside, px, py};
+    return {seen, centreX + x * (focal * kShrink), centreY - y * (focal * kShrink)};
   }
 
  private:

@@ -12,7 +12,7 @@ namespace parhelion {
 namespace {
 
 constexpr std::string_view kPrefix = "parhelion:";
-constexpr std::string_view kFormat = "1";  // of the tally's file; a reader of another format refuses it
+constexpr std::string_view kFormat = "2";  // of the tally's file; a reader of another format refuses it
 
 constexpr std::array kProjections = {Projection::rectilinear,         Projection::fisheyeEqualArea,
                                      Projection::fisheyeEquidistant,  Projection::fisheyeStereographic,
@@ -101,6 +101,8 @@ CameraSettings cameraFromText(const ExrAttributes& attributes) {
   camera.roll = number<double>(attributes, "camera.roll");
   camera.fieldOfView = number<double>(attributes, "camera.fov");
   camera.imageCircle = number<double>(attributes, "camera.circle");
+  camera.distortion = {number<double>(attributes, "camera.k1"), number<double>(attributes, "camera.k2"),
+                       number<double>(attributes, "camera.k3")};
   return camera;
 }
 
@@ -128,6 +130,9 @@ ExrAttributes textFromInfo(const TallyInfo& info) {
       {"camera.fovAxis", std::string(kAxisNames[static_cast<std::size_t>(camera.fieldOfViewAxis)])},
       {"camera.fov", text(camera.fieldOfView)},
       {"camera.circle", text(camera.imageCircle)},
+      {"camera.k1", text(camera.distortion.k1)},
+      {"camera.k2", text(camera.distortion.k2)},
+      {"camera.k3", text(camera.distortion.k3)},
   };
   ExrAttributes attributes = {{"software", "Parhelion " + info.version}};
   for (const auto& [key, entry] : plain) attributes[std::string(kPrefix) + key] = entry;

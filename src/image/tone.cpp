@@ -29,17 +29,13 @@ Vec3 intoGamut(const Vec3& c) {
 }
 
 /// Thresholds of an 8 x 8 ordered dither (Bayer 1973), in (-1/2, 1/2) of a step, by interleaving the bits of x ^ y
-/// and y. Gradients of a halo on black would show bands without it; black stays black.
+/// and y.
 double ditherThreshold(int x, int y) {
   int rank = 0;
   for (int bit = 0; bit < 3; ++bit) {
     rank = rank * 4 + (((x ^ y) >> bit) & 1) * 2 + ((y >> bit) & 1);
   }
   return (rank + 0.5) / 64.0 - 0.5;
-}
-
-std::uint8_t quantised(double encoded, double threshold) {
-  return static_cast<std::uint8_t>(std::clamp(std::floor(encoded * 255.0 + threshold + 0.5), 0.0, 255.0));
 }
 
 }  // namespace
@@ -71,9 +67,9 @@ Vec3 toneCurve(const Vec3& exposed) {
   return scaled + towardWhite * (Vec3(peak) - scaled);
 }
 
-double srgbEncode(double linear) {
-  if (linear <= 0.0031308) return 12.92 * std::max(linear, 0.0);
-  return 1.055 * portable::exp(portable::log(linear) / 2.4) - 0.055;
+std::uint8_t ditheredStep(double encoded, int x, int y) {
+  const double step = std::floor(encoded * 255.0 + ditherThreshold(x, y) + 0.5);
+  return static_cast<std::uint8_t>(std::clamp(step, 0.0, 255.0));
 }
 
 Preview developPreview(const Image& image, const ToneSettings& settings) {
@@ -86,9 +82,8 @@ Preview developPreview(const Image& image, const ToneSettings& settings) {
     const Vec3 display = toneCurve(exposure * radiance);
     const int x = static_cast<int>(i % static_cast<std::size_t>(image.width));
     const int y = static_cast<int>(i / static_cast<std::size_t>(image.width));
-    const double threshold = ditherThreshold(x, y);
     for (int c = 0; c < 3; ++c) {
-      preview.rgb[3 * i + static_cast<std::size_t>(c)] = quantised(srgbEncode(display[c]), threshold);
+      preview.rgb[3 * i + static_cast<std::size_t>(c)] = ditheredStep(srgbEncode(display[c]), x, y);
     }
   }
   return preview;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "image/image.h"
+#include "image/transfer.h"
 #include "math/conventions.h"
 
 namespace parhelion {
@@ -23,8 +24,9 @@ double autoExposure(const Image& image);
 /// so that hues stay, and far highlights fade to white. Black for components that are not finite.
 Vec3 toneCurve(const Vec3& exposed);
 
-/// The sRGB transfer function (IEC 61966-2-1) of a component in [0, 1].
-double srgbEncode(double linear);
+/// 8 bits of an encoded component in [0, 1] at a place of the picture, by ordered dither: gradients of a halo on black
+/// would show bands without it. Whole steps, black and white among them, stay what they are.
+std::uint8_t ditheredStep(double encoded, int x, int y);
 
 /// An sRGB picture of 8 bits a component, row-major RGB triples.
 struct Preview {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <stdexcept>
 #include <string>
 
+#include "image/camera.h"
 #include "scene/scene_keys.h"
 
 namespace parhelion {
@@ -35,10 +37,6 @@ ProjectionLimits limitsOf(Projection projection) {
   return {};
 }
 
-bool isFisheye(Projection projection) {
-  return projection != Projection::rectilinear && projection != Projection::equirectangular;
-}
-
 /// One of the three ways to give the field of view.
 struct FieldOfView {
   std::string_view key;
@@ -62,6 +60,23 @@ void checkFieldOfView(TableReader& reader, const FieldOfView& fov, Projection pr
   const ProjectionLimits limits = limitsOf(projection);
   const Range& range = fov.axis == FieldOfViewAxis::vertical ? limits.vertical : limits.horizontal;
   checkAngle(reader, fov.key, *fov.angle, range, projection);
+}
+
+/// The camera knows whether its distortion folds the picture over.
+void checkDistortion(TableReader& reader, const CameraSettings& camera) {
+  if (camera.distortion.none()) return;
+  CameraSettings ideal = camera;
+  ideal.distortion = {};
+  try {
+    const Camera works(ideal);
+  } catch (const std::invalid_argument&) {
+    return;  // something else is wrong and has been said
+  }
+  try {
+    const Camera works(camera);
+  } catch (const std::invalid_argument& problem) {
+    reader.reject("distortion", problem.what());
+  }
 }
 
 /// What the lens covers obeys the same limits as what the image shows of it.
@@ -106,7 +121,7 @@ CameraSettings defaultCamera(Projection projection) {
   return camera;
 }
 
-bool Camera::read(const Value& in, CameraSettings& out) const {
+bool CameraTable::read(const Value& in, CameraSettings& out) const {
   const toml::table* table = in.node.as_table();
   if (!table) return in.mustBe("a table");
   TableReader reader(*table, "[camera]", in.complaints);
@@ -121,9 +136,10 @@ bool Camera::read(const Value& in, CameraSettings& out) const {
   if (reader.rejected("projection")) return false;  // what else is wrong would depend on it
   applyFieldOfView(reader, keys, out);
   checkImageCircle(reader, keys.imageCircle, out.projection);
+  if (!reader.rejected("distortion")) checkDistortion(reader, out);
   return true;
 }
 
-Json Camera::schema() const { return tableSchema<CameraKeys>(); }
+Json CameraTable::schema() const { return tableSchema<CameraKeys>(); }
 
 }  // namespace parhelion

@@ -148,6 +148,24 @@ Json Resolution::schema() const {
   return {{"type", "array"}, {"items", side}, {"minItems", 2}, {"maxItems", 2}};
 }
 
+bool RadialDistortion::read(const Value& in, Distortion& out) const {
+  const toml::array* list = in.node.as_array();
+  double* const coefficients[] = {&out.k1, &out.k2, &out.k3};
+  bool valid = list && !list->empty() && list->size() <= std::size(coefficients);
+  for (std::size_t i = 0; valid && i < list->size(); ++i) {
+    const auto k = list->get(i)->value<double>();
+    valid = k && std::abs(*k) <= kLargest;
+    if (valid) *coefficients[i] = *k;
+  }
+  if (valid) return true;
+  return in.mustBe("[k1, k2, k3], numbers from -1000 to 1000");
+}
+
+Json RadialDistortion::schema() const {
+  const Json k = {{"type", "number"}, {"minimum", -kLargest}, {"maximum", kLargest}};
+  return {{"type", "array"}, {"items", k}, {"minItems", 1}, {"maxItems", 3}};
+}
+
 bool Spectrum::read(const Value& in, SpectrumSettings& out) const {
   if (const auto source = enumeratorNamed<ContinuousSpectrum::Source>(in.string())) {
     out = ContinuousSpectrum{*source};

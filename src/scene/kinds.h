@@ -82,6 +82,14 @@ struct Resolution {
   Json write(const std::array<int, 2>& value) const { return value; }
 };
 
+/// [k1, k2, k3], or fewer.
+struct RadialDistortion {
+  static constexpr double kLargest = 1000.0;
+  bool read(const Value& in, Distortion& out) const;
+  Json schema() const;
+  Json write(const Distortion& value) const { return {value.k1, value.k2, value.k3}; }
+};
+
 /// The name of a continuous spectrum, a wavelength, or a list of wavelengths.
 struct Spectrum {
   bool read(const Value& in, SpectrumSettings& out) const;

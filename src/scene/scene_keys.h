@@ -115,6 +115,9 @@ void visitKeys(Visitor& v, CameraKeys& c) {
   v.key("fov_diagonal", Optional{Angle{kFov}}, c.fovDiagonal, "Field of view from corner to corner, degrees.");
   v.key("image_circle", Optional{Angle{{0, 360, true}}}, c.imageCircle,
         "Full angle that a fisheye lens covers, degrees. Left out: the larger of 180 and the field of view.");
+  v.key("distortion", RadialDistortion{}, c.camera.distortion,
+        "[k1, k2, k3]: the lens moves what is r focal lengths from the centre to r (1 + k1 r^2 + k2 r^4 + k3 r^6). The "
+        "field of view stays that of the ideal lens.");
   v.key("resolution", Resolution{}, c.resolution,
         "[width, height] in pixels. Left out: [1024, 1024], [2048, 1024] for equirectangular.");
 }
@@ -179,7 +182,7 @@ void visitKeys(Visitor& v, Scene& scene) {
   v.key("sun", Table<SunSettings>{"[sun]"}, scene.sun, "The source of light.");
   v.key("ice", Table<IceSettings>{"[ice]"}, scene.ice, "What the crystals are made of.");
   v.key("population", Populations{}, scene.populations, "The crystals: at least one population.");
-  v.key("camera", Camera{}, scene.camera, "Where the image looks.");
+  v.key("camera", CameraTable{}, scene.camera, "Where the image looks.");
   v.key("trace", Table<TraceSettings>{"[trace]"}, scene.trace, "How light is followed.");
   v.key("recon", Recon{}, scene.recon, "How the image is made of the hits.");
 }

@@ -32,7 +32,7 @@ struct Table {
 };
 
 /// [camera]; fields of view are held against the projection.
-struct Camera {
+struct CameraTable {
   bool read(const Value& in, CameraSettings& out) const;
   Json schema() const;
   Json write(const CameraSettings&) const { return {}; }

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "photographs.h"
 #include "shell.h"
 
 using namespace parhelion::test;
@@ -43,6 +44,8 @@ std::vector<std::string> blocks(const std::filesystem::path& document, const std
 TEST_CASE("every parhelion command in the documentation runs") {
   Folder folder;
   std::filesystem::create_directory_symlink(kSource / "scenes", folder / "scenes");
+  // What the documentation calls photo.jpg, with the focal length of a moderate wide angle.
+  writeJpegWithExif(folder / "photo.jpg", landscape<std::uint8_t>(600, 400, 0.8), 1, 24);
   int commands = 0;
   for (const auto& document : documents())
     for (const std::string& block : blocks(document, "sh")) {
@@ -53,7 +56,8 @@ TEST_CASE("every parhelion command in the documentation runs") {
         ++commands;
         // Few rays where the command does not say how many; what it says itself comes later and wins.
         const std::string quick =
-            "parhelion() { c=$1; shift; case $c in render|trace|profile|map) set -- \"$@\" -D trace.rays=3000;; esac; "
+            "parhelion() { c=$1; shift; case \"$c $*\" in render*|trace*|profile*|map*|sweep*|composite*--scene*) "
+            "set -- \"$@\" -D trace.rays=3000;; esac; "
             "'" PARHELION_BINARY "' $c \"$@\"; } && ";
         const Outcome outcome = run(folder, quick + command);
         CHECK_MESSAGE(outcome.exit == 0, document.filename() << ": " << command << "\n" << outcome.err);

@@ -39,6 +39,8 @@ struct SceneClaims {
 const SceneClaims kClaims[] = {
     {"random-columns.toml", {{What::ring, 21.9}, {What::ring, 45.9}}},
     {"parhelia.toml", {{What::atElevation, 24.7, 20}, {What::atElevation, 120, 20}, {What::inVertical, 66.1}}},
+    {"environment.toml",
+     {{What::ring, 21.9}, {What::atElevation, 24.7, 20}, {What::inVertical, 66.1}, {What::inVertical, 41.9}}},
     {"reconstruction-reference.toml", {{What::atElevation, 25.1, 20}, {What::inVertical, 42.3}}},
     {"tangent-arcs.toml", {{What::inVertical, 41.9}}},
     {"circumscribed.toml", {{What::inVertical, 66.9}, {What::inVertical, 23.1}, {What::atElevation, 40.5, 45}}},
@@ -60,6 +62,7 @@ const SceneClaims kClaims[] = {
       {What::inVertical, 44.9},
       {What::inVertical, 50.4},
       {What::inVertical, 69.0}}},
+    {"evening.toml", {{What::atElevation, 22.2, 7}, {What::inVertical, 28.9}, {What::inVertical, 58.9}}},
     {"plates-and-pencils.toml",
      {{What::atElevation, 26.4, 25}, {What::inVertical, 71.3}, {What::inVertical, 46.9}, {What::inVertical, 3.1}}},
 };

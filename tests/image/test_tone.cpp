@@ -10,6 +10,7 @@
 
 #include "image/colour_space.h"
 #include "image/tone.h"
+#include "image/transfer.h"
 
 namespace parhelion {
 namespace {

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "cli/photo_options.h"
+#include "cli/run_options.h"
+#include "image/exr.h"
+#include "photo/halo_lookup.h"
+
+namespace parhelion::cli {
+
+/// Where the halo for a photograph comes from: a scene that is rendered into the photograph's camera, or the picture of
+/// a render.
+struct HaloSource {
+  RunOptions run;       // its scene is that of --scene
+  std::string picture;  // of --halo
+  std::optional<int> coarseness;
+
+  void addTo(CLI::App& command);
+
+  /// Throws CLI::ValidationError unless one of the two is given, and if options of one come with the other.
+  void requireOne() const;
+
+  const std::string& file() const { return picture.empty() ? run.scene : picture; }
+
+  /// What the scene says of the sun, rad.
+  double sunElevation() const;
+
+  struct Result {
+    HaloLookup lookup;
+    ExrAttributes attributes;  // with the scene of the whole picture: this camera, this sun
+    int exitCode;
+  };
+
+  /// The halo as this camera sees it, with the sun where it saw it. Throws std::runtime_error, SceneError.
+  Result make(const PhotoCamera& camera, const StopSignal& stop) const;
+
+ private:
+  Result render(const PhotoCamera& camera, const StopSignal& stop) const;
+  Result read(const PhotoCamera& camera) const;
+};
+
+}  // namespace parhelion::cli

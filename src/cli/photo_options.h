@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "image/camera_settings.h"
+#include "image/photograph.h"
+#include "photo/pointing.h"
+
+namespace parhelion::cli {
+
+/// The camera that took a photograph, and the sun it saw.
+struct PhotoCamera {
+  CameraSettings camera;             // its size is the photograph's
+  double sunElevation = 0.0;         // rad
+  std::vector<std::string> remarks;  // how it was found: what a user should hold against what is known
+};
+
+/// What a user says on the command line about a photograph's camera: its lens, and where it pointed.
+struct PhotoOptions {
+  std::string projection;
+  std::optional<double> fovHorizontal, fovVertical, fovDiagonal;  // degrees
+  std::optional<double> focal35mm, imageCircle;                   // mm; degrees
+  std::string distortion, sun;
+  std::vector<std::string> horizon, known;
+  std::optional<double> sunElevation, azimuth, elevation, roll;  // degrees
+  bool assumeSrgb = false;
+
+  void addTo(CLI::App& command);
+
+  PhotographRules rules() const { return {assumeSrgb}; }
+
+  /// Whether anything was said of the lens or of where it pointed.
+  bool given() const;
+
+  /// The camera of a photograph: by these options, with the lens from its Exif where they do not say, or, where they
+  /// say nothing at all, by the scene that the picture carries. `sceneSunElevation` (rad) is what to take for the sun
+  /// where neither an option nor the horizon tells. `path` is for messages. Throws CLI::ValidationError that names the
+  /// options to give where something is missing or cannot be.
+  PhotoCamera camera(const Photograph& photograph, const std::string& path,
+                     std::optional<double> sceneSunElevation) const;
+
+ private:
+  CameraSettings lens(const Photograph& photograph, const std::string& path, std::vector<std::string>& remarks) const;
+  std::vector<PointingClue> clues(std::optional<double> elevationOfSun) const;
+  void point(PhotoCamera& found, const std::string& path, std::optional<double> sceneSunElevation) const;
+  void pointByAngles(PhotoCamera& found, const std::string& path, std::optional<double> elevationOfSun) const;
+  void pointByClues(PhotoCamera& found, const std::string& path, std::optional<double> sceneSunElevation) const;
+};
+
+}  // namespace parhelion::cli

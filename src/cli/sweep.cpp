@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+
+#include "cli/commands.h"
+#include "cli/picture.h"
+#include "cli/sweep_frames.h"
+#include "cli/tally_run.h"
+#include "cli/text_output.h"
+#include "recon/threads.h"
+#include "view/contact_sheet.h"
+
+namespace parhelion::cli {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+struct SweepOptions {
+  RunOptions run;
+  std::vector<std::string> keys;
+  std::string output, contactSheet;
+  std::optional<double> exposure;
+  std::size_t first = 0;
+  bool product = false;
+};
+
+std::vector<std::vector<std::string>> valuesOf(const SweepOptions& options) {
+  try {
+    std::vector<KeyRange> ranges;
+    for (const std::string& key : options.keys) ranges.push_back(parseKeyRange(key));
+    // What these options say would win over every frame's own value.
+    for (const auto& [key, option] : {std::pair{"trace.rays", &options.run.rays}, {"trace.seed", &options.run.seed}})
+      for (const KeyRange& range : ranges)
+        if (range.key == key && !option->empty())
+          throw std::invalid_argument(range.key + " is swept: it cannot have one value for all frames, too");
+    return sweepFrames(ranges, options.product);
+  } catch (const std::invalid_argument& error) {
+    throw CLI::ValidationError("sweep", error.what());
+  }
+}
+
+/// Throws before anything is rendered if something cannot be written.
+void requireOutputsOf(const SweepOptions& options, const std::vector<SweepFrame>& frames) {
+  if (!options.contactSheet.empty() && frames.size() > kMaxSheetPictures)
+    throw CLI::ValidationError("--contact-sheet", "a sheet holds at most " + std::to_string(kMaxSheetPictures) +
+                                                      " frames, not " + std::to_string(frames.size()));
+  for (const SweepFrame& frame : frames)
+    requireOutputs(options.run.scene, {frame.exr, frame.png(), options.contactSheet});
+}
+
+/// Says how much there is to do and, for the first frame, why.
+void reportPlan(const std::vector<SweepFrame>& frames) {
+  const auto isLacking = [](const SweepFrame& frame) { return !frame.lacks.empty(); };
+  const auto lacking = static_cast<std::size_t>(std::count_if(frames.begin(), frames.end(), isLacking));
+  std::fprintf(stderr, "%zu frames: %zu skipped, %zu to render", frames.size(), frames.size() - lacking, lacking);
+  const auto firstLacking = std::find_if(frames.begin(), frames.end(), isLacking);
+  if (firstLacking != frames.end())
+    std::fprintf(stderr, " (%s: %s)", firstLacking->exr.c_str(), firstLacking->lacks.c_str());
+  std::fputc('\n', stderr);
+}
+
+/// Renders a frame as render does. False, and nothing is written, if it was stopped before all its rays were traced.
+bool renderFrame(const RunOptions& run, const SweepFrame& frame, const StopSignal& stop, double& worstImbalance) {
+  const TallyRun traced = traceTally(run, frame.loaded, makeCloud(frame.loaded.scene), stop);
+  if (traced.result.report.interrupted) return false;
+  worstImbalance = std::max(worstImbalance, std::abs(traced.result.report.energy.imbalance()));
+  ReconstructedSky sky = withThreads(run.threads, [&] { return reconstruct(traced.tally, frame.loaded.scene.recon); });
+  writeSky(frame.exr, sky.image, traced.tally.info, frame.loaded);
+  return true;
+}
+
+void reportFrame(const RunOptions& run, const SweepFrame& frame, std::size_t number, std::size_t count,
+                 double seconds) {
+  if (run.quiet) return;
+  if (run.progress == "json")
+    std::fprintf(stderr, "{\"frame\": %zu, \"of\": %zu, \"seconds\": %.3f}\n", number, count, seconds);
+  else
+    std::fprintf(stderr, "frame %zu of %zu: %s, %.1f s\n", number, count, frame.valuesText().c_str(), seconds);
+}
+
+/// Renders what is lacking. False if a signal or the time limit, which is for the whole sweep, came first.
+bool renderFrames(const RunOptions& run, const std::vector<SweepFrame>& frames, const StopSignal& stop) {
+  const Clock::time_point start = Clock::now();
+  double worstImbalance = 0.0;
+  bool rendered = false;
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    if (frames[i].lacks.empty()) continue;
+    const Clock::time_point frameStart = Clock::now();
+    RunOptions one = run;
+    one.quiet = true;  // a line a frame is enough
+    one.timeLimit = run.timeLimit - secondsSince(start);
+    if (stop.requested() || one.timeLimit <= 0.0 || !renderFrame(one, frames[i], stop, worstImbalance)) return false;
+    reportFrame(run, frames[i], i + 1, frames.size(), secondsSince(frameStart));
+    rendered = true;
+  }
+  if (rendered && !run.quiet) std::fprintf(stderr, "energy: open by at most %.1e in any frame\n", worstImbalance);
+  return !stop.requested();
+}
+
+/// Median of the exposures that the frames would choose for themselves, of those that have light: a few frames that
+/// are nearly dark or flooded do not matter, and no two frames differ.
+double medianExposure(const std::vector<SweepFrame>& frames) {
+  std::vector<double> stops;
+  for (const SweepFrame& frame : frames) {
+    const Image image = readExr(frame.exr).image;
+    const std::vector<float>& green = *image.rgb()[1];
+    if (std::any_of(green.begin(), green.end(), [](float g) { return g > 0.0F; })) stops.push_back(autoExposure(image));
+  }
+  if (stops.empty()) return 0.0;
+  std::sort(stops.begin(), stops.end());
+  return 0.5 * (stops[(stops.size() - 1) / 2] + stops[stops.size() / 2]);
+}
+
+std::vector<std::string> labelsOf(const SweepFrame& frame) {
+  std::vector<std::string> labels = frame.values;
+  for (std::string& label : labels) label[label.find('=')] = ' ';
+  return labels;
+}
+
+SheetLayout layoutOf(const std::vector<SweepFrame>& frames) {
+  int width = 1, height = 1;
+  for (const SweepFrame& frame : frames) {
+    width = std::max(width, frame.loaded.scene.camera.width);
+    height = std::max(height, frame.loaded.scene.camera.height);
+  }
+  return layOutSheet(frames.size(), width, height, static_cast<int>(frames.front().values.size()));
+}
+
+/// The previews of all frames and their contact sheet, if one is asked for, with one exposure. False if a signal came.
+bool writePreviews(const SweepOptions& options, const std::vector<SweepFrame>& frames, const StopSignal& stop) {
+  const double stops = options.exposure ? *options.exposure : medianExposure(frames);
+  const SheetLayout layout = layoutOf(frames);
+  std::vector<SheetCell> cells;
+  std::size_t badPixels = 0;
+  for (const SweepFrame& frame : frames) {
+    if (stop.requested()) return false;
+    const Image image = readExr(frame.exr).image;
+    const Preview preview = developPreview(image, {stops});
+    badPixels += preview.badPixels;
+    writePreview(frame.png(), preview, stops);
+    if (!options.contactSheet.empty()) cells.push_back({reducedToFit(image, layout), labelsOf(frame)});
+  }
+  if (!cells.empty()) writePreview(options.contactSheet, contactSheet(layout, cells, stops), stops);
+  if (options.run.quiet) return true;
+  std::fprintf(stderr, "previews of %zu frames at exposure %s%s\n", frames.size(), exposureText(stops).c_str(),
+               options.exposure ? "" : ", the median of what the frames would choose");
+  if (badPixels > 0) std::fprintf(stderr, "%zu pixels are not finite and black in the previews\n", badPixels);
+  return true;
+}
+
+int runSweep(const SweepOptions& options) {
+  const FrameNames names(options.output);
+  const std::vector<std::vector<std::string>> values = valuesOf(options);
+  const std::vector<SweepFrame> frames = planFrames(options.run, values, names, options.first);
+  requireOutputsOf(options, frames);
+  if (!options.run.quiet) reportPlan(frames);
+  const StopSignal stop;
+  if (renderFrames(options.run, frames, stop) && writePreviews(options, frames, stop)) return kDone;
+  std::fprintf(stderr, "interrupted: finished frames stay, the same command goes on from them\n");
+  return kInterrupted;
+}
+
+std::string validPng(const std::string& text) {
+  return text.ends_with(".png") ? "" : "expected the name of a .png file, not '" + text + "'";
+}
+
+void addOptions(CLI::App& command, SweepOptions& options) {
+  options.run.addTo(command, true);
+  command.remove_option(command.get_option("--stats"));
+  command.get_option("--time")->description("Stop after this many seconds; the same command goes on from there");
+  command
+      .add_option(
+          "keys", options.keys,
+          "A key of the scene and its values, for one sun.elevation=0:60:1 or trace.seed=1,5,7; several keys go "
+          "together, value by value")
+      ->required()
+      ->type_name("KEY=FROM:TO:STEP");
+  command.add_flag("--product", options.product, "All combinations of the keys' values, the last key's fastest");
+  command
+      .add_option("-o,--output", options.output,
+                  "The frames, numbered by %d or, with zeros before, %04d; a PNG stands beside each")
+      ->required()
+      ->type_name("FRAME_%04d.exr");
+  command.add_option("--first", options.first, "Number of the first frame")->check(CLI::Range(0, 1'000'000'000));
+  command
+      .add_option("--exposure", options.exposure,
+                  "Exposure of all previews; the median of what the frames would choose when left out")
+      ->type_name("STOPS")
+      ->check(number(-100.0, 100.0));
+  command.add_option("--contact-sheet", options.contactSheet, "All frames small on one picture, with their values")
+      ->type_name("FILE.png")
+      ->check(CLI::Validator(validPng, ""));
+}
+
+}  // namespace
+
+void addSweep(CLI::App& app, int& exit) {
+  auto options = std::make_shared<SweepOptions>();
+  CLI::App* command = app.add_subcommand("sweep", "Render a scene again and again while keys of it change");
+  addOptions(*command, *options);
+  command->callback([options, &exit] { exit = runSweep(*options); });
+}
+
+}  // namespace parhelion::cli

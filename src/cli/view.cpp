@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+#include <utility>
+
+#include "cli/commands.h"
+#include "cli/text_output.h"
+#include "cli/view_input.h"
+#include "cli/view_options.h"
+#include "cli/view_profile.h"
+#include "image/transfer.h"
+#include "optics/ice.h"
+#include "scene/parse_scene.h"
+#include "view/beside.h"
+#include "view/colour_difference.h"
+#include "view/dots.h"
+#include "view/layer.h"
+
+namespace parhelion::cli {
+
+namespace {
+
+constexpr double kEyesWavelength = 550.0;  // nm, for which halos are placed
+
+/// A view in the making, and what there is to say of it.
+struct View {
+  Preview picture;
+  std::vector<std::string> remarks;
+};
+
+std::string text(const char* format, double a, double b = 0.0) {
+  char line[100];
+  std::snprintf(line, sizeof line, format, a, b);
+  return line;
+}
+
+/// The camera of a picture: as the options say, by the scene in it, or, of a second picture that has none, the first's.
+PhotoCamera cameraOf(const ViewInput& input, const PhotoOptions& options, const PhotoCamera* first = nullptr) {
+  const std::optional<std::string> scene = input.scene();
+  if (first && !scene) return *first;
+  std::optional<double> sunElevation;
+  if (scene && !first) sunElevation = parseScene(*scene, "the scene in " + input.path).scene.sun.elevation;
+  return (first ? PhotoOptions{} : options).camera(input.photograph, input.path, sunElevation);
+}
+
+/// Lines and letters for what a picture shows.
+Layer linesOver(const ViewInput& input, const PhotoCamera& camera, const ViewOptions& options) {
+  IceSettings ice;
+  if (const auto scene = input.scene()) ice = parseScene(*scene, "the scene in " + input.path).scene.ice;
+  return drawOverlay(camera.camera, camera.sunElevation, refractiveIndex(ice, kEyesWavelength),
+                     options.overlaySettings());
+}
+
+View filtered(const ViewInput& input, const ViewOptions& options) {
+  View view;
+  if (options.dots) {
+    if (!input.tally)
+      throw CLI::ValidationError("--dots",
+                                 input.path + " holds no hits; parhelion trace SCENE -o hits.exr makes such a file");
+    view.picture = dots(*input.tally, options.dotSize);
+    return view;
+  }
+  Shown shown = show(input, options.exposure);
+  if (shown.exposure) view.remarks.push_back(text("exposure %+.2f stops", *shown.exposure));
+  if (!options.unsharp.empty()) unsharp(shown.display, options.unsharpSettings());
+  if (options.redMinusBlue) {
+    std::vector<std::uint8_t> sky;
+    if (!options.mask.empty()) sky = readMaskFor(options.mask, shown.display.width, shown.display.height);
+    ColourDifference difference = redMinusBlue(std::move(shown.display), options.gain, sky);
+    view.remarks.push_back(text("gain %.4g about %.4g", difference.gain, difference.centre));
+    shown.display = std::move(difference.picture);
+  }
+  view.picture = quantised(shown.display);
+  return view;
+}
+
+/// One of the two kinds of light has a unit, the other has white: only the user knows how they compare.
+View difference(const ViewInput& one, const ViewInput& other, const ViewOptions& options) {
+  if (one.light.has_value() != other.light.has_value() && !options.exposure)
+    throw CLI::ValidationError("--minus", "between a photograph and linear light give --exposure for the latter");
+  const auto light = [&](const ViewInput& input) {
+    Image image = lightOf(input);
+    if (input.light && options.exposure)
+      for (Channel& channel : image.channels)
+        for (float& sample : channel.samples) sample *= static_cast<float>(std::exp2(*options.exposure));
+    return image;
+  };
+  try {
+    const LightDifference difference = minus(light(one), light(other), options.gain);
+    return {quantised(difference.picture), {text("gain %.4g", difference.gain)}};
+  } catch (const std::invalid_argument& error) {
+    throw CLI::ValidationError("--minus", one.path + " and " + other.path + ": " + error.what());
+  }
+}
+
+/// Averages over squares of pixels, in linear light.
+Photograph reduced(const Photograph& photograph, int reduction) {
+  const Image light = linearImage(photograph, reduction);
+  std::vector<std::uint8_t> samples(3 * light.pixels());
+  for (std::size_t i = 0; i < samples.size(); ++i) samples[i] = toSrgb8((*light.rgb()[i % 3])[i / 3]);
+  Photograph smaller;
+  smaller.width = light.width;
+  smaller.height = light.height;
+  smaller.samples = std::move(samples);
+  return smaller;
+}
+
+void writeView(View view, const ViewInput& input, const ViewOptions& options) {
+  std::map<std::string, std::string> said{{"Software", "parhelion " PARHELION_VERSION}};
+  // Of two pictures neither's scene holds for the whole.
+  if (const auto scene = input.scene(); scene && options.beside.empty() && options.reduction == 1)
+    said[kSceneKey] = *scene;
+  Photograph photograph;
+  photograph.width = view.picture.width;
+  photograph.height = view.picture.height;
+  photograph.samples = std::move(view.picture.rgb);
+  if (options.reduction > 1) photograph = reduced(photograph, options.reduction);
+  writePhotograph(options.output, photograph, said);
+  if (options.quiet) return;
+  for (const std::string& remark : view.remarks) std::fprintf(stderr, "%s\n", remark.c_str());
+}
+
+/// Reads the second picture, if there is one.
+std::vector<ViewInput> readPictures(const ViewOptions& options) {
+  std::vector<ViewInput> pictures{readViewInput(options.input, options.photo.rules())};
+  for (const std::string& other : options.beside) pictures.push_back(readViewInput(other, options.photo.rules()));
+  if (!options.minus.empty()) pictures.push_back(readViewInput(options.minus, options.photo.rules()));
+  return pictures;
+}
+
+std::vector<PhotoCamera> camerasOf(const std::vector<ViewInput>& pictures, const ViewOptions& options) {
+  std::vector<PhotoCamera> cameras{cameraOf(pictures[0], options.photo)};
+  for (std::size_t i = 1; i < pictures.size() && options.minus.empty(); ++i)
+    cameras.push_back(cameraOf(pictures[i], options.photo, &cameras[0]));
+  if (!options.quiet)
+    for (const std::string& remark : cameras[0].remarks) std::fprintf(stderr, "%s\n", remark.c_str());
+  return cameras;
+}
+
+void profileView(std::vector<ViewInput> pictures, const ViewOptions& options) {
+  const std::vector<PhotoCamera> cameras = camerasOf(pictures, options);
+  std::vector<std::uint8_t> mask;
+  if (!options.mask.empty()) mask = readMaskFor(options.mask, cameras[0].camera.width, cameras[0].camera.height);
+  std::vector<Observed> observed;
+  for (std::size_t i = 0; i < pictures.size(); ++i) observed.push_back({std::move(pictures[i]), cameras[i]});
+  writeProfile(options, std::move(observed), mask);
+}
+
+/// The views of the pictures with their lines; writes the lines' layer where that is asked for.
+std::vector<View> pictureViews(const std::vector<ViewInput>& pictures, const ViewOptions& options) {
+  std::vector<View> views;
+  if (options.minus.empty())
+    for (const ViewInput& picture : pictures) views.push_back(filtered(picture, options));
+  else
+    views.push_back(difference(pictures[0], pictures[1], options));
+  if (!options.drawsLines()) return views;
+  const std::vector<PhotoCamera> cameras = camerasOf(pictures, options);
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    const Layer lines = linesOver(pictures[i], cameras[i], options);
+    if (!options.layer.empty()) writeLayer(options.layer, lines, {{"Software", "parhelion " PARHELION_VERSION}});
+    layOver(views[i].picture, lines);
+  }
+  return views;
+}
+
+void pictureView(const std::vector<ViewInput>& pictures, const ViewOptions& options) {
+  std::vector<View> views = pictureViews(pictures, options);
+  if (options.output.empty()) return;
+  for (std::size_t i = 1; i < views.size(); ++i) {
+    views[0].picture = beside(views[0].picture, views[i].picture);
+    views[0].remarks.insert(views[0].remarks.end(), views[i].remarks.begin(), views[i].remarks.end());
+  }
+  writeView(std::move(views[0]), pictures[0], options);
+}
+
+int runView(const ViewOptions& options) {
+  options.requireSense();
+  const auto outputs = {options.output, options.layer, options.profile, options.chart};
+  std::vector<std::string> inputs{options.input, options.minus, options.mask};
+  inputs.insert(inputs.end(), options.beside.begin(), options.beside.end());
+  for (const std::string& input : inputs)
+    if (!input.empty()) requireOutputs(input, outputs);
+  std::vector<ViewInput> pictures = readPictures(options);
+  if (options.profile.empty())
+    pictureView(pictures, options);
+  else
+    profileView(std::move(pictures), options);
+  for (const std::string& output : outputs)
+    if (!output.empty() && output != "-" && !options.quiet) std::fprintf(stderr, "wrote %s\n", output.c_str());
+  return kDone;
+}
+
+}  // namespace
+
+void addView(CLI::App& app, int& exit) {
+  auto options = std::make_shared<ViewOptions>();
+  CLI::App* command = app.add_subcommand("view", "A photograph, sky or tally as halo observers look at it");
+  options->addTo(*command);
+  command->callback([options, &exit] { exit = runView(*options); });
+}
+
+}  // namespace parhelion::cli

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/view_input.h"
+
+#include <stdexcept>
+
+#include "image/exr.h"
+#include "image/radiance.h"
+#include "image/tally_exr.h"
+#include "image/tone.h"
+#include "photo/sky_mask.h"
+
+namespace parhelion::cli {
+
+namespace {
+
+void requireColours(const std::string& path, const Image& image) {
+  if (!image.find("R") || !image.find("G") || !image.find("B"))
+    throw std::runtime_error(path + ": has no channels R, G, B");
+}
+
+}  // namespace
+
+std::optional<std::string> ViewInput::scene() const {
+  const auto found = photograph.text.find(kSceneKey);
+  return found == photograph.text.end() ? std::nullopt : std::optional(found->second);
+}
+
+ViewInput readViewInput(const std::string& path, const PhotographRules& rules) {
+  ViewInput input;
+  input.path = path;
+  if (!isExr(path)) {
+    input.photograph = readPhotograph(path, rules);
+    return input;
+  }
+  ExrFile exr = readExr(path);
+  input.photograph.width = exr.image.width;
+  input.photograph.height = exr.image.height;
+  input.photograph.text = std::move(exr.attributes);
+  // The parts of a tally hold the halves of 64-bit integers.
+  if (exr.image.find("hi") && exr.image.find("lo")) {
+    input.tally = readTallyExr(path);
+    input.light = plainRadiance(*input.tally);
+    input.photograph.text[kSceneKey] = input.tally->info.scene;
+  } else {
+    requireColours(path, exr.image);
+    input.light = std::move(exr.image);
+  }
+  return input;
+}
+
+Shown show(const ViewInput& input, std::optional<double> exposure) {
+  if (!input.light) return {shown(input.photograph), std::nullopt};
+  const double stops = exposure ? *exposure : autoExposure(*input.light);
+  return {developed(*input.light, {stops}), stops};
+}
+
+Image lightOf(ViewInput input) { return input.light ? std::move(*input.light) : linearImage(input.photograph); }
+
+std::vector<std::uint8_t> readMaskFor(const std::string& path, int width, int height) {
+  SkyMask mask = readSkyMask(path);
+  if (mask.width != width || mask.height != height)
+    throw std::runtime_error(path + ": the mask has another size than the picture");
+  return std::move(mask.sky);
+}
+
+}  // namespace parhelion::cli

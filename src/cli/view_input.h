@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "image/photograph.h"
+#include "image/tally.h"
+#include "view/display.h"
+
+namespace parhelion::cli {
+
+/// Key under which our pictures carry the scene they were made from.
+inline constexpr const char* kSceneKey = "parhelion:scene";
+
+/// A picture of any kind that can be viewed.
+struct ViewInput {
+  std::string path;
+  Photograph photograph;       // of an EXR only size and text, without samples
+  std::optional<Image> light;  // of an EXR: what it holds; of a tally: each pixel's own light, unfiltered
+  std::optional<Tally> tally;
+
+  /// The scene in the picture.
+  std::optional<std::string> scene() const;
+};
+
+/// Reads a photograph, a sky or a tally, told apart by what is in the file. Throws std::runtime_error "path: reason".
+ViewInput readViewInput(const std::string& path, const PhotographRules& rules);
+
+struct Shown {
+  Display display;
+  std::optional<double> exposure;  // stops, of linear light
+};
+
+/// The picture as a screen shows it: photographs of 8 and 16 bits as they are, linear light developed with `exposure`,
+/// or that which suits it.
+Shown show(const ViewInput& input, std::optional<double> exposure);
+
+/// Linear light, Rec.709: that of a photograph is 1 at white.
+Image lightOf(ViewInput input);
+
+/// The first channel of a picture of width x height pixels, which says what of another is sky: 0 nothing, 255 all.
+/// Throws std::runtime_error "path: reason", also if it has another size.
+std::vector<std::uint8_t> readMaskFor(const std::string& path, int width, int height);
+
+}  // namespace parhelion::cli

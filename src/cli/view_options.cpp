@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/view_options.h"
+
+#include <charconv>
+#include <string_view>
+
+#include "cli/run_options.h"
+#include "view/dots.h"
+#include "view/gaussian_blur.h"
+
+namespace parhelion::cli {
+
+namespace {
+
+constexpr const char* kUsualCircles = "9,18,20,22,23,24,35,46";  // degrees: the rings of pyramids and of prisms
+constexpr double kMostAmount = 1000.0;
+constexpr double kLeastRadius = 0.1;  // pixels
+
+/// Numbers with commas between them; empty where the text is anything else.
+std::vector<double> listOf(std::string_view text) {
+  std::vector<double> all;
+  for (;;) {
+    double value = 0.0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc()) return {};
+    all.push_back(value);
+    text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+    if (text.empty()) return all;
+    if (text.front() != ',') return {};
+    text.remove_prefix(1);
+  }
+}
+
+std::string validCircles(const std::string& text) {
+  const std::vector<double> radii = listOf(text);
+  bool good = !radii.empty();
+  for (const double radius : radii) good = good && radius > 0.0 && radius < 180.0;
+  return good ? "" : "expected radii in degrees, for one 22,46, not '" + text + "'";
+}
+
+std::string validUnsharp(const std::string& text) {
+  const std::vector<double> pair = listOf(text);
+  const bool good =
+      pair.size() == 2 && pair[0] >= 0.0 && pair[0] <= kMostAmount && pair[1] >= kLeastRadius && pair[1] <= kMaxBlur;
+  return good ? "" : "expected AMOUNT,RADIUS, for one 3,20 (radius 0.1 to 4096 pixels), not '" + text + "'";
+}
+
+CLI::Validator fileOfKind(std::vector<std::string> extensions, std::string expected) {
+  return CLI::Validator(
+      [=](const std::string& text) -> std::string {
+        for (const std::string& extension : extensions)
+          if (text.ends_with(extension)) return {};
+        return "expected the name of a " + expected + " file, not '" + text + "'";
+      },
+      "");
+}
+
+void refuse(bool mistake, const char* option, const char* reason) {
+  if (mistake) throw CLI::ValidationError(option, reason);
+}
+
+void addFilters(CLI::App& command, ViewOptions& o) {
+  command.add_option("--unsharp", o.unsharp, "Unsharp mask: amount, and standard deviation of its Gaussian in pixels")
+      ->type_name("AMOUNT,RADIUS")
+      ->check(CLI::Validator(validUnsharp, ""));
+  command.add_flag("--red-minus-blue", o.redMinusBlue,
+                   "Red minus blue as grey, stretched: colours stand out of clouds");
+  command
+      .add_option("--beside", o.beside,
+                  "A picture to the right, treated alike; may be repeated. With --profile, whose columns stand beside")
+      ->type_name("OTHER")
+      ->allow_extra_args(false);
+  command.add_option("--reduce", o.reduction, "Make the view smaller: averages of N x N pixels, in linear light")
+      ->type_name("N")
+      ->check(CLI::Range(1, 64));
+  command.add_option("--minus", o.minus, "Take the linear light of a second picture off: mid-grey is no difference")
+      ->type_name("OTHER");
+  command.add_option("--gain", o.gain, "Of --red-minus-blue and --minus; chosen by the picture when left out")
+      ->type_name("FACTOR")
+      ->check(number(0.0, 1e12));
+  command.add_flag("--dots", o.dots,
+                   "Black dots on white where a tally was hit: the input is one that trace has written");
+  command.add_option("--dot-size", o.dotSize, "Pixels across a dot")
+      ->type_name("PX")
+      ->check(CLI::Range(1, kMaxDotSize));
+  command.add_option("--exposure", o.exposure, "Exposure of linear light; chosen by the picture when left out")
+      ->type_name("STOPS")
+      ->check(number(-100.0, 100.0));
+  command.add_option("--mask", o.mask, "White where the input shows sky, for --profile and --red-minus-blue")
+      ->type_name("FILE");
+}
+
+void addLines(CLI::App& command, ViewOptions& o) {
+  command.add_flag("--overlay", o.overlay,
+                   "The usual lines: grid, horizon, zenith, circles of 22 and 46, halos, labels");
+  command.add_option("--grid", o.grid, "Grid of altitude and azimuth from the sun")
+      ->type_name("[DEG]")
+      ->expected(0, 1)
+      ->default_str("10")
+      ->check(number(1.0, 90.0));
+  command.add_option("--circles", o.circles, "Circles about the sun")
+      ->type_name("[DEG,DEG...]")
+      ->expected(0, 1)
+      ->default_str(kUsualCircles)
+      ->check(CLI::Validator(validCircles, ""));
+  command.add_flag("--horizon-line", o.horizonLine, "The horizon");
+  command.add_flag("--zenith", o.zenith, "The zenith");
+  command.add_flag("--halos", o.halos, "Where halos and arcs are for this elevation of the sun");
+  command.add_flag("--labels", o.labels, "Names and degrees of the lines");
+  command.add_option("--layer", o.layer, "Write the lines alone, with alpha, to lay over the picture elsewhere")
+      ->type_name("FILE.png")
+      ->check(fileOfKind({".png"}, ".png"));
+}
+
+void addProfile(CLI::App& command, ViewOptions& o) {
+  command.add_option("--profile", o.profile, "Write the light over the angle from the sun as CSV; - for stdout")
+      ->type_name("FILE.csv");
+  command.add_option("--chart", o.chart, "Draw the profile, too")
+      ->type_name("FILE")
+      ->check(fileOfKind({".svg", ".png"}, ".svg or .png"));
+  command.add_option("--bin", o.bin, "Width of the profile's bins")->type_name("DEG")->check(number(1e-3, 180.0));
+  command.add_option("--from", o.from, "Where the profile begins")->type_name("DEG")->check(number(0.0, 180.0));
+  command.add_option("--to", o.to, "Where the profile ends")->type_name("DEG")->check(number(0.0, 180.0));
+}
+
+}  // namespace
+
+void ViewOptions::addTo(CLI::App& command) {
+  command.add_option("input", input, "A photograph, a picture of render or recon, or a tally of trace")
+      ->required()
+      ->type_name("PICTURE");
+  command.add_option("-o,--output", output, "The view")
+      ->type_name("FILE")
+      ->check(fileOfKind({".png", ".jpg", ".jpeg"}, ".png or .jpg"));
+  addFilters(command, *this);
+  addLines(command, *this);
+  addProfile(command, *this);
+  command.add_flag("--quiet", quiet, "Nothing on stderr");
+  photo.addTo(command);
+}
+
+void ViewOptions::requireSense() const {
+  const bool profiles = !profile.empty();
+  const int kinds = !unsharp.empty() + redMinusBlue + dots + !minus.empty() + profiles;
+  refuse(kinds > 1, "view", "--unsharp, --red-minus-blue, --dots, --minus and --profile are views of their own");
+  refuse(!beside.empty() && !minus.empty(), "--minus", "is a view of its own and cannot stand beside another picture");
+  refuse(profiles && (drawsLines() || !output.empty()), "--profile", "is a table; -o and lines are for pictures");
+  refuse(output.empty() && layer.empty() && !profiles, "view", "nothing to write: give -o, --layer or --profile");
+  refuse(profiles && beside.size() > 1, "--beside", "a profile stands beside one other");
+  refuse(reduction != 1 && output.empty(), "--reduce", "needs -o");
+  refuse(!layer.empty() && !drawsLines(), "--layer", "no lines were asked for: give --overlay, --grid or the like");
+  refuse(!layer.empty() && !beside.empty(), "--layer",
+         "the lines of two pictures are not one layer; leave --beside out");
+  refuse(profiles && !(from < to), "--from", "must be less than --to");
+  refuse(!chart.empty() && !profiles, "--chart", "needs --profile");
+  refuse(gain && !redMinusBlue && minus.empty(), "--gain", "needs --red-minus-blue or --minus");
+  refuse(dotSize != 1 && !dots, "--dot-size", "needs --dots");
+  refuse(!mask.empty() && !profiles && !redMinusBlue, "--mask", "needs --profile or --red-minus-blue");
+  refuse(exposure && (profiles || dots), "--exposure", "has no meaning for --profile and --dots");
+}
+
+bool ViewOptions::drawsLines() const {
+  return overlay || grid || !circles.empty() || horizonLine || zenith || halos || labels;
+}
+
+OverlaySettings ViewOptions::overlaySettings() const {
+  OverlaySettings settings;
+  settings.gridStep = grid ? radians(*grid) : overlay ? radians(10.0) : 0.0;
+  settings.horizon = overlay || horizonLine;
+  settings.zenith = overlay || zenith;
+  settings.labels = overlay || labels;
+  settings.halos = overlay || halos;
+  for (const double radius : listOf(!circles.empty() ? circles : overlay ? "22,46" : ""))
+    settings.circles.push_back(radians(radius));
+  return settings;
+}
+
+UnsharpSettings ViewOptions::unsharpSettings() const {
+  const std::vector<double> pair = listOf(unsharp);
+  return {pair[0], pair[1]};
+}
+
+SkyProfileSettings ViewOptions::profileSettings() const { return {radians(from), radians(to), radians(bin)}; }
+
+}  // namespace parhelion::cli

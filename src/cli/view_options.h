@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "cli/photo_options.h"
+#include "view/overlay.h"
+#include "view/sky_profile.h"
+#include "view/unsharp.h"
+
+namespace parhelion::cli {
+
+/// What a user says on the command line of `view`.
+struct ViewOptions {
+  std::string input, output, layer, mask;
+  std::vector<std::string> beside;  // pictures to the right
+  std::string minus;                // the other picture
+  std::string unsharp;              // AMOUNT,RADIUS
+  bool redMinusBlue = false, dots = false;
+  int dotSize = 1;                       // pixels
+  int reduction = 1;                     // pixels averaged in each direction
+  std::optional<double> gain, exposure;  // exposure in stops
+  PhotoOptions photo;
+  bool quiet = false;
+
+  // Lines over the picture; angles in degrees.
+  bool overlay = false, horizonLine = false, zenith = false, halos = false, labels = false;
+  std::optional<double> grid;
+  std::string circles;
+
+  // The profile; angles in degrees.
+  std::string profile, chart;
+  double from = 0.0, to = 60.0, bin = 0.25;
+
+  void addTo(CLI::App& command);
+
+  /// Throws CLI::ValidationError for options that have no meaning together.
+  void requireSense() const;
+
+  bool drawsLines() const;
+  OverlaySettings overlaySettings() const;
+  UnsharpSettings unsharpSettings() const;
+  SkyProfileSettings profileSettings() const;
+};
+
+}  // namespace parhelion::cli

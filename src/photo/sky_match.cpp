@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "photo/sky_match.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "image/colour_space.h"
+#include "image/transfer.h"
+#include "math/rotation.h"
+
+namespace parhelion {
+namespace {
+
+/// Every so manieth pixel in both directions is looked at: a quarter of a million of them say enough.
+int stepFor(int width, int height) {
+  constexpr double kEnough = 250000.0;
+  return std::max(1, static_cast<int>(std::sqrt(static_cast<double>(width) * height / kEnough)));
+}
+
+struct Sample {
+  double linear;
+  bool clipped;
+};
+
+Sample sampleAt(const Samples& samples, std::size_t i) {
+  if (const auto* codes = std::get_if<std::vector<std::uint8_t>>(&samples))
+    return {srgbDecode8()[(*codes)[i]], (*codes)[i] == 255};
+  if (const auto* codes = std::get_if<std::vector<std::uint16_t>>(&samples))
+    return {srgbDecode16()[(*codes)[i]], (*codes)[i] == 65535};
+  const float value = std::get<std::vector<float>>(samples)[i];
+  return {value, !std::isfinite(value)};
+}
+
+struct Mean {
+  Vec3 sum{0.0};
+  std::size_t pixels = 0;
+};
+
+}  // namespace
+
+SkyTone skyTone(const Photograph& photograph, const SkyMask& mask, const CameraSettings& settings,
+                double sunElevation) {
+  const Camera camera(settings);
+  const Vec3 toSun = skyDirection(0.0, sunElevation);
+  const double nearSun = std::cos(kSkyAroundSun);
+  Mean all, around;
+  const int step = stepFor(mask.width, mask.height);
+  for (int y = 0; y < mask.height; y += step) {
+    for (int x = 0; x < mask.width; x += step) {
+      const std::size_t pixel = static_cast<std::size_t>(y) * mask.width + x;
+      if (mask.sky[pixel] < 255) continue;
+      Vec3 rgb;
+      bool clipped = false;
+      for (int c = 0; c < 3; ++c) {
+        const Sample sample = sampleAt(photograph.samples, pixel * photograph.channels + c);
+        rgb[c] = sample.linear;
+        clipped |= sample.clipped;
+      }
+      if (clipped) continue;
+      all.sum += rgb;
+      ++all.pixels;
+      const auto toSky = camera.toSky({x + 0.5, y + 0.5});
+      if (!toSky || glm::dot(*toSky, toSun) < nearSun) continue;
+      around.sum += rgb;
+      ++around.pixels;
+    }
+  }
+  SkyTone tone;
+  tone.aroundSun = around.pixels > 0 && around.pixels >= all.pixels / 100;
+  const Mean& mean = tone.aroundSun ? around : all;
+  tone.luminance = mean.pixels > 0 ? glm::dot(mean.sum, kRec709Luminance) / static_cast<double>(mean.pixels) : 0.0;
+  if (!(tone.luminance > 0.0))
+    throw std::invalid_argument("no sky whose brightness could be measured: it is masked, black or clipped");
+  tone.colour = mean.sum / (static_cast<double>(mean.pixels) * tone.luminance);
+  return tone;
+}
+
+double brightHalo(const HaloLookup& halo, const SkyMask& mask) {
+  std::vector<double> luminances;
+  const int step = stepFor(mask.width, mask.height);
+  for (int y = 0; y < mask.height; y += step) {
+    for (int x = 0; x < mask.width; x += step) {
+      if (mask.sky[static_cast<std::size_t>(y) * mask.width + x] < 255) continue;
+      const auto light = halo.at({x + 0.5, y + 0.5});
+      luminances.push_back(light ? glm::dot(*light, kRec709Luminance) : 0.0);
+    }
+  }
+  if (luminances.empty()) return 0.0;
+  const auto place = luminances.begin() + static_cast<std::ptrdiff_t>(luminances.size() * 99 / 100);
+  std::nth_element(luminances.begin(), place, luminances.end());
+  return *place;
+}
+
+}  // namespace parhelion

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "image/photograph.h"
+#include "photo/halo_lookup.h"
+#include "photo/sky_mask.h"
+
+namespace parhelion {
+
+/// What the sky of a photograph is like where halos are seen.
+struct SkyTone {
+  double luminance = 0.0;  // mean, linear, white is 1
+  Vec3 colour{1.0};        // mean linear R, G, B over that luminance
+  bool aroundSun = false;  // of the sky within kSkyAroundSun of the sun; else of all the sky in the picture
+};
+
+/// How far from the sun the sky still counts as around it: a little beyond the 22-degree halo.
+inline constexpr double kSkyAroundSun = radians(30.0);
+
+/// The mean sky of a photograph within kSkyAroundSun of the sun, without clipped samples and partly masked pixels; of
+/// all its sky where less than a hundredth of that lies there. Throws std::invalid_argument where no sky can be
+/// measured.
+SkyTone skyTone(const Photograph& photograph, const SkyMask& mask, const CameraSettings& camera, double sunElevation);
+
+/// Luminance that the brightest hundredth of the photograph's sky, by the halo's light, has at least: 1/sr. 0 where
+/// there is no halo in the sky.
+double brightHalo(const HaloLookup& halo, const SkyMask& mask);
+
+}  // namespace parhelion

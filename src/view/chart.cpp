@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "view/chart.h"
+
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <memory>
+#include <stdexcept>
+#include <string_view>
+#include <system_error>
+
+#include "image/atomic_file.h"
+
+namespace parhelion {
+namespace {
+
+struct Close {
+  void operator()(std::FILE* file) const { std::fclose(file); }
+};
+using File = std::unique_ptr<std::FILE, Close>;
+
+/// A file without a name. Files rather than pipes: nobody waits for anybody, and nobody hangs up.
+File unnamedFile() {
+  File file(std::tmpfile());
+  if (!file) throw std::runtime_error("temporary file: " + std::generic_category().message(errno));
+  return file;
+}
+
+std::string contents(std::FILE* file) {
+  std::string all;
+  std::array<char, 65536> block;
+  std::rewind(file);
+  while (const std::size_t bytes = std::fread(block.data(), 1, block.size(), file)) all.append(block.data(), bytes);
+  return all;
+}
+
+/// A gnuplot string in which nothing has a meaning.
+std::string literal(std::string_view text) {
+  std::string all = "'";
+  for (const char c : text) {
+    if (c == '\'') all += '\'';
+    all += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+  }
+  return all + "'";
+}
+
+std::string dataBlock(const ChartCurve& curve, std::size_t number) {
+  std::string text = "$curve" + std::to_string(number) + " << END\n";
+  char line[64];
+  for (const Vec2& point : curve.points) {
+    std::snprintf(line, sizeof line, "%.10g %.9g\n", point.x, point.y);
+    text += line;
+  }
+  return text + "END\n";
+}
+
+std::string script(std::string_view extension, const ChartAxes& axes, std::span<const ChartCurve> curves) {
+  constexpr std::array kColours{"#0072b2", "#d55e00", "#009e73", "#cc79a7"};  // told apart by every eye (Okabe & Ito)
+  std::string text = "set encoding utf8\n";
+  text += extension == ".svg" ? "set terminal svg size 960,600 font 'DejaVu Sans,14' background '#ffffff'\n"
+                              : "set terminal pngcairo size 960,600 font 'DejaVu Sans,11' background '#ffffff'\n";
+  text += "set xlabel " + literal(axes.x) + " noenhanced\nset ylabel " + literal(axes.y) +
+          " noenhanced\nset border 3\nset tics nomirror out\nset grid linecolor rgb '#dddddd' linetype 1\nset key top "
+          "right noenhanced\n"
+          "set xrange [*:*] noextend\nset yrange [0:*]\n";
+  for (std::size_t i = 0; i < curves.size(); ++i) text += dataBlock(curves[i], i);
+  for (std::size_t i = 0; i < curves.size(); ++i)
+    text += (i == 0 ? "plot $curve" : ", $curve") + std::to_string(i) + " using 1:2 with lines lw 2 lc rgb '" +
+            kColours[i % kColours.size()] + "' title " + literal(curves[i].title);
+  return text + "\n";
+}
+
+/// Runs gnuplot on a script; what it prints.
+std::string gnuplot(const std::string& commands) {
+  const File in = unnamedFile(), out = unnamedFile(), complaints = unnamedFile();
+  if (std::fwrite(commands.data(), 1, commands.size(), in.get()) != commands.size() || std::fflush(in.get()) != 0)
+    throw std::runtime_error("temporary file: " + std::generic_category().message(errno));
+  std::rewind(in.get());
+
+  posix_spawn_file_actions_t files;
+  posix_spawn_file_actions_init(&files);
+  posix_spawn_file_actions_adddup2(&files, ::fileno(in.get()), STDIN_FILENO);
+  posix_spawn_file_actions_adddup2(&files, ::fileno(out.get()), STDOUT_FILENO);
+  posix_spawn_file_actions_adddup2(&files, ::fileno(complaints.get()), STDERR_FILENO);
+  // Without the user's own settings, and without a shell.
+  std::array<std::string, 2> words{"gnuplot", "--default-settings"};
+  std::array<char*, 3> arguments{words[0].data(), words[1].data(), nullptr};
+  pid_t child = 0;
+  const int error = ::posix_spawnp(&child, "gnuplot", &files, nullptr, arguments.data(), environ);
+  posix_spawn_file_actions_destroy(&files);
+  if (error == ENOENT) throw std::runtime_error("charts are drawn by gnuplot, which is missing: package gnuplot-nox");
+  if (error != 0) throw std::runtime_error("gnuplot: " + std::generic_category().message(error));
+
+  int status = 0;
+  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  const std::string picture = contents(out.get());
+  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0 || picture.empty()) {
+    std::string reason = contents(complaints.get());
+    for (char& c : reason)
+      if (c == '\n') c = ' ';
+    throw std::runtime_error("gnuplot failed: " + reason);
+  }
+  return picture;
+}
+
+}  // namespace
+
+void drawChart(const std::filesystem::path& path, const ChartAxes& axes, std::span<const ChartCurve> curves) {
+  AtomicFile file(path);
+  file.write(gnuplot(script(path.extension().string(), axes, curves)));
+  file.commit();
+}
+
+}  // namespace parhelion

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "image/tally.h"
+#include "image/tone.h"
+
+namespace parhelion {
+
+inline constexpr int kMaxDotSize = 64;  // pixels
+
+/// The plots of halo papers since Greenler, "Rainbows, Halos, and Glories" (1980): a round black dot of `size` pixels
+/// across, on white, for each pixel that light of at least one ray has reached. Brightness shows as the density of
+/// dots, so it needs few rays: some 10^4 to 10^5. Throws std::invalid_argument unless 1 <= size <= kMaxDotSize.
+Preview dots(const Tally& tally, int size = 1);
+
+}  // namespace parhelion

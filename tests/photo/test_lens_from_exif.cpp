@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <doctest/doctest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "image/camera.h"
+#include "math/rotation.h"
+#include "photo/lens_from_exif.h"
+
+namespace parhelion {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+constexpr std::array kProjections = {Projection::rectilinear,         Projection::fisheyeEqualArea,
+                                     Projection::fisheyeEquidistant,  Projection::fisheyeStereographic,
+                                     Projection::fisheyeOrthographic, Projection::equirectangular};
+
+// Rounding of a few operations, relative.
+constexpr double kRounding = 1e-14;
+
+Exif equivalent(double mm) {
+  Exif exif;
+  exif.focalLength35mm = mm;
+  return exif;
+}
+
+/// 50 mm before a sensor of 100 pixels a millimetre: 5000 pixels.
+Exif sensor() {
+  Exif exif;
+  exif.focalLength = 50.0;
+  exif.focalPlaneX = exif.focalPlaneY = 1000.0;
+  exif.focalPlaneUnit = 3;
+  exif.pixelWidth = 3600;
+  exif.pixelHeight = 2400;
+  return exif;
+}
+
+double focalOf(const Exif& exif, int width, int height) {
+  const auto facts = lensFromExif(exif, width, height);
+  REQUIRE(facts.has_value());
+  return facts->focalPixels;
+}
+
+/// What the refusal says; empty where there is none.
+std::string refusal(const Exif& exif) {
+  try {
+    lensFromExif(exif, 3600, 2400);
+  } catch (const std::invalid_argument& e) {
+    return e.what();
+  }
+  return {};
+}
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+}  // namespace
+
+TEST_CASE("a 35 mm equivalent of 50 mm sees 39.6 degrees across a picture of 3 to 2") {
+  const double focal = focalOf(equivalent(50.0), 6000, 4000);
+  CHECK(2.0 * std::atan(3000.0 / focal) == doctest::Approx(2.0 * std::atan(18.0 / 50.0)).epsilon(kRounding));
+  CHECK(focalOf(equivalent(50.0), 4000, 6000) == focal);
+}
+
+TEST_CASE("a 35 mm equivalent fixes the diagonal of a picture of 4 to 3") {
+  const double focal = focalOf(equivalent(28.0), 4000, 3000);
+  const double film = std::sqrt(36.0 * 36.0 + 24.0 * 24.0);
+  CHECK(2500.0 / focal == doctest::Approx(0.5 * film / 28.0).epsilon(kRounding));
+}
+
+TEST_CASE("a focal length and the sensor's resolution give the focal length in pixels") {
+  CHECK(focalOf(sensor(), 3600, 2400) == doctest::Approx(5000.0).epsilon(kRounding));
+  Exif inches = sensor();
+  inches.focalPlaneX = 2540.0;
+  inches.focalPlaneUnit = 2;
+  CHECK(focalOf(inches, 3600, 2400) == doctest::Approx(5000.0).epsilon(kRounding));
+  Exif rows = sensor();
+  rows.focalPlaneX.reset();
+  CHECK(focalOf(rows, 3600, 2400) == doctest::Approx(5000.0).epsilon(kRounding));
+}
+
+TEST_CASE("a picture that was made smaller or turned since has its focal length scaled with it") {
+  CHECK(focalOf(sensor(), 1800, 1200) == doctest::Approx(2500.0).epsilon(kRounding));
+  CHECK(focalOf(sensor(), 2400, 3600) == doctest::Approx(5000.0).epsilon(kRounding));
+  CHECK(focalOf(sensor(), 800, 1200) == doctest::Approx(5000.0 / 3.0).epsilon(kRounding));
+  CHECK(focalOf(sensor(), 100, 67) == doctest::Approx(5000.0 / 36.0).epsilon(kRounding));
+  Exif unknown = sensor();
+  unknown.pixelWidth.reset();
+  CHECK(focalOf(unknown, 1800, 1200) == doctest::Approx(5000.0).epsilon(kRounding));
+}
+
+TEST_CASE("a picture that was cropped since has no focal length from Exif") {
+  for (Exif exif : {sensor(), equivalent(50.0)}) {
+    exif.pixelWidth = 3600;
+    exif.pixelHeight = 2400;
+    CHECK_NOTHROW(lensFromExif(exif, 2400, 3600));
+    CHECK_THROWS_WITH_AS(lensFromExif(exif, 3600, 2000),
+                         "Exif tells of 3600 x 2400 pixels, the picture has 3600 x 2000: it has been cropped, and its "
+                         "field of view is not Exif's",
+                         std::invalid_argument);
+  }
+}
+
+TEST_CASE("of two focal lengths in Exif that agree the finer is taken and else the 35 mm equivalent") {
+  const double film = 5000.0 / std::hypot(3600.0, 2400.0) * std::hypot(36.0, 24.0);  // mm
+  Exif exif = sensor();
+  exif.focalLength35mm = 1.19 * film;
+  CHECK(focalOf(exif, 3600, 2400) == doctest::Approx(5000.0).epsilon(kRounding));
+  exif.focalLength35mm = 1.21 * film;
+  CHECK(focalOf(exif, 3600, 2400) == doctest::Approx(1.21 * 5000.0).epsilon(kRounding));
+  CHECK(contains(lensFromExif(exif, 3600, 2400)->source, "says 0.826446 times that"));
+  exif.focalLength35mm = film / 1.21;
+  CHECK(focalOf(exif, 3600, 2400) == doctest::Approx(5000.0 / 1.21).epsilon(kRounding));
+  // A resolution that cannot be does no harm beside an equivalent.
+  exif.focalPlaneX = kInfinity;
+  CHECK(focalOf(exif, 3600, 2400) == doctest::Approx(5000.0 / 1.21).epsilon(kRounding));
+}
+
+TEST_CASE("Exif without a focal length or without its scale says nothing of the lens") {
+  CHECK_FALSE(lensFromExif(Exif{}, 3600, 2400).has_value());
+  Exif exif = sensor();
+  exif.focalPlaneUnit = 1;
+  CHECK_FALSE(lensFromExif(exif, 3600, 2400).has_value());
+  exif = sensor();
+  exif.focalPlaneX.reset();
+  exif.focalPlaneY.reset();
+  CHECK_FALSE(lensFromExif(exif, 3600, 2400).has_value());
+  exif = sensor();
+  exif.focalLength.reset();
+  CHECK_FALSE(lensFromExif(exif, 3600, 2400).has_value());
+}
+
+TEST_CASE("Exif that lies is refused with its value") {
+  const std::array<std::pair<double, const char*>, 5> lies = {{{0.0, " 0 mm"},
+                                                               {-50.0, " -50 mm"},
+                                                               {kInfinity, " inf mm"},
+                                                               {4294967246.0, " 4.29497e+09 mm"},
+                                                               {0.4, " 0.4 mm"}}};
+  for (const auto& [value, words] : lies) {
+    CHECK(contains(refusal(equivalent(value)), words));
+    Exif exif = sensor();
+    exif.focalLength = value;
+    CHECK(contains(refusal(exif), words));
+    exif.focalLength35mm = 50.0;
+    CHECK(contains(refusal(exif), words));
+  }
+  for (const double resolution : {0.0, -1000.0, kInfinity, 1e9, 1.0}) {
+    Exif exif = sensor();
+    exif.focalPlaneX = resolution;
+    CAPTURE(resolution);
+    CHECK(contains(refusal(exif), "pixels/mm, which no lens and sensor have"));
+  }
+}
+
+TEST_CASE("the field of view set for a focal length has that focal length in every projection") {
+  for (const Projection projection : kProjections) {
+    CAPTURE(std::string(name(projection)));
+    for (const auto& [width, height] : {std::pair{6000, 4000}, std::pair{3000, 4000}, std::pair{512, 512}}) {
+      const double span = std::hypot(width, height);
+      for (const double diagonals : {0.2, 0.35, 0.6, 1.0, 7.0, 400.0}) {
+        CAPTURE(diagonals);
+        CameraSettings settings;
+        settings.projection = projection;
+        settings.width = width;
+        settings.height = height;
+        const double shorter = 0.5 * std::min(width, height) / span / diagonals;
+        if (projection == Projection::fisheyeOrthographic && shorter > 1.0) {
+          CHECK_THROWS_AS(withFocalLength(settings, diagonals * span), std::invalid_argument);
+        } else {
+          const double focal = Camera(withFocalLength(settings, diagonals * span)).focalLength();
+          CHECK(focal == doctest::Approx(diagonals * span).epsilon(1e-12));
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("a field of view is taken along the longest extent that the projection can show") {
+  CameraSettings settings;
+  settings.projection = Projection::fisheyeOrthographic;
+  settings.width = 600;
+  settings.height = 400;
+  CHECK(withFocalLength(settings, 400.0).fieldOfViewAxis == FieldOfViewAxis::diagonal);
+  CHECK(withFocalLength(settings, 310.0).fieldOfViewAxis == FieldOfViewAxis::horizontal);
+  CHECK(withFocalLength(settings, 300.0).fieldOfView == doctest::Approx(kPi).epsilon(kRounding));
+  CHECK(withFocalLength(settings, 250.0).fieldOfViewAxis == FieldOfViewAxis::vertical);
+  CHECK_THROWS_WITH_AS(withFocalLength(settings, 199.0),
+                       "a fisheye-orthographic lens with a focal length of 199 pixels does not fill the picture along "
+                       "either side",
+                       std::invalid_argument);
+  std::swap(settings.width, settings.height);
+  CHECK(withFocalLength(settings, 310.0).fieldOfViewAxis == FieldOfViewAxis::vertical);
+  for (const double focal : {0.0, -1.0, kInfinity, std::nan("")})
+    CHECK_THROWS_AS(withFocalLength(settings, focal), std::invalid_argument);
+}
+
+}  // namespace parhelion
