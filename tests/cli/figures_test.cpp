@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The figures of docs/photographs.md are made by a script: here from stand-ins of the sizes it expects.
+// The figures of photographs, views and sweeps are made by a script: here from stand-ins of the sizes it expects.
 #include <doctest/doctest.h>
 
 #include "photographs.h"
@@ -25,7 +25,7 @@ Photograph panorama() {
 
 }  // namespace
 
-TEST_CASE("the script that makes the figures of photographs runs") {
+TEST_CASE("the script that makes the figures of photographs, views and sweeps runs") {
   Folder folder;
   writeJpegWithExif(folder / "evening.jpg", landscape<std::uint8_t>(2560, 1600, 0.35), 1, 16);
   writePhotograph(folder / "sunset.exr", panorama(), {});
@@ -37,4 +37,7 @@ TEST_CASE("the script that makes the figures of photographs runs") {
   CHECK(figure.width == 5 * 427 + 4 * 4);  // five pictures and the gaps between them
   CHECK(figure.height == 267);
   CHECK(readPhotograph(folder / "panorama-halo.png").width == 512);
+  CHECK(readPhotograph(folder / "views.png").width == 4 * 480 + 3 * 4);
+  CHECK(readFile(folder / "views-profile.svg").find("<svg") != std::string::npos);
+  CHECK(readPhotograph(folder / "sweep.png").width > 800);
 }
