@@ -11,6 +11,7 @@
 #include "image/envmap.h"
 #include "image/exif.h"
 #include "image/image.h"
+#include "image/transfer.h"
 
 namespace parhelion {
 
@@ -29,6 +30,11 @@ struct Photograph {
 
   std::size_t pixels() const { return static_cast<std::size_t>(width) * static_cast<std::size_t>(height); }
 };
+
+/// The linear value of one of the samples.
+inline float linearAt(const Samples& samples, std::size_t i) {
+  return std::visit([i](const auto& all) { return linearOf(all[i]); }, samples);
+}
 
 struct PhotographRules {
   bool assumeSrgb = false;  // take the samples for sRGB whatever profile the file is tagged with

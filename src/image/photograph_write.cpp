@@ -30,10 +30,6 @@ std::uint8_t byteOf(std::uint8_t code) { return code; }
 std::uint8_t byteOf(std::uint16_t code) { return static_cast<std::uint8_t>((code + 128U) / 257U); }
 std::uint8_t byteOf(float linear) { return toSrgb8(linear); }
 
-float linearOf(std::uint8_t code) { return srgbDecode8()[code]; }
-float linearOf(std::uint16_t code) { return srgbDecode16()[code]; }
-float linearOf(float linear) { return linear; }
-
 // Alpha is linear in all files.
 float alphaOf(std::uint8_t code) { return static_cast<float>(code) / 255.0F; }
 float alphaOf(std::uint16_t code) { return static_cast<float>(code) / 65535.0F; }

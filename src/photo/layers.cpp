@@ -10,12 +10,6 @@
 namespace parhelion {
 namespace {
 
-double linearAt(const Samples& samples, std::size_t i) {
-  if (const auto* codes = std::get_if<std::vector<std::uint8_t>>(&samples)) return srgbDecode8()[(*codes)[i]];
-  if (const auto* codes = std::get_if<std::vector<std::uint16_t>>(&samples)) return srgbDecode16()[(*codes)[i]];
-  return std::get<std::vector<float>>(samples)[i];
-}
-
 /// A picture of three channels, each sample by `sampleAt(pixel, channel, light of the halo there)`.
 template <class Sample, class F>
 Photograph drawn(const AddedHalo& added, const F& sampleAt) {
@@ -50,7 +44,7 @@ Photograph dodgeLayer(const Photograph& photograph, const AddedHalo& added) {
   return drawn<std::uint16_t>(added, [&](std::size_t pixel, int c, double light) -> std::uint16_t {
     if (light == 0.0) return 0;
     constexpr double kWhite = 65535.0;
-    const double before = std::clamp(linearAt(photograph.samples, pixel * photograph.channels + c), 0.0, 1.0);
+    const double before = std::clamp<double>(linearAt(photograph.samples, pixel * photograph.channels + c), 0.0, 1.0);
     const double step = srgbEncode(std::min(1.0, before + light)) - srgbEncode(before);
     return static_cast<std::uint16_t>(kWhite * std::max(0.0, step) + 0.5);
   });

@@ -3,10 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
+#include <type_traits>
 
 #include "image/colour_space.h"
-#include "image/transfer.h"
 #include "math/rotation.h"
 
 namespace parhelion {
@@ -18,18 +19,15 @@ int stepFor(int width, int height) {
   return std::max(1, static_cast<int>(std::sqrt(static_cast<double>(width) * height / kEnough)));
 }
 
-struct Sample {
-  double linear;
-  bool clipped;
-};
-
-Sample sampleAt(const Samples& samples, std::size_t i) {
-  if (const auto* codes = std::get_if<std::vector<std::uint8_t>>(&samples))
-    return {srgbDecode8()[(*codes)[i]], (*codes)[i] == 255};
-  if (const auto* codes = std::get_if<std::vector<std::uint16_t>>(&samples))
-    return {srgbDecode16()[(*codes)[i]], (*codes)[i] == 65535};
-  const float value = std::get<std::vector<float>>(samples)[i];
-  return {value, !std::isfinite(value)};
+/// Whether the camera had no more to say than that it is as bright as can be.
+bool isClipped(const Samples& samples, std::size_t i) {
+  return std::visit(
+      [i](const auto& all) {
+        using Sample = std::decay_t<decltype(all[i])>;
+        if constexpr (std::is_floating_point_v<Sample>) return !std::isfinite(all[i]);
+        return all[i] == std::numeric_limits<Sample>::max();
+      },
+      samples);
 }
 
 struct Mean {
@@ -53,9 +51,9 @@ SkyTone skyTone(const Photograph& photograph, const SkyMask& mask, const CameraS
       Vec3 rgb;
       bool clipped = false;
       for (int c = 0; c < 3; ++c) {
-        const Sample sample = sampleAt(photograph.samples, pixel * photograph.channels + c);
-        rgb[c] = sample.linear;
-        clipped |= sample.clipped;
+        const std::size_t i = pixel * photograph.channels + c;
+        rgb[c] = linearAt(photograph.samples, i);
+        clipped |= isClipped(photograph.samples, i);
       }
       if (clipped) continue;
       all.sum += rgb;

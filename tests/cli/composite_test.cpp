@@ -235,18 +235,6 @@ TEST_CASE("an upright photograph that is stored on its side has its lens from th
   CHECK(readPhotograph(folder / "out.png").width == camera.width);
 }
 
-TEST_CASE("EXIF that lies is refused with its value") {
-  Folder folder;
-  writeFile(folder / "scene.toml", kScene);
-  for (const unsigned focal : {0u, 1u, 60000u}) {
-    writeJpegWithExif(folder / "photo.jpg", landscape<std::uint8_t>(60, 40, 0.5), 1, focal);
-    const Outcome outcome = run(folder, "parhelion composite photo.jpg --scene scene.toml --sun 30,20 -o out.png");
-    CHECK(outcome.exit == 2);
-    CHECK_MESSAGE(outcome.err.find(std::to_string(focal)) != std::string::npos, outcome.err);
-    CHECK_FALSE(std::filesystem::exists(folder / "out.png"));
-  }
-}
-
 TEST_CASE("a halo rendered by another camera lands on the same pixels") {
   Folder folder;
   writeFile(folder / "scene.toml", kScene);
@@ -314,26 +302,4 @@ TEST_CASE("a picture of 8 bits gets the halo's light, however little of a code i
   // The dither's standard error: at most half a code in each of 86400 pixels.
   const double sigma = 0.5 * (srgbDecode8()[121] - srgbDecode8()[120]) * std::sqrt(static_cast<double>(out.pixels()));
   CHECK(std::abs(added - wanted) < 4.0 * sigma);
-}
-
-TEST_CASE("a composite that lacks something says which options give it") {
-  Folder folder;
-  writeFile(folder / "scene.toml", kScene);
-  writePhotograph(folder / "photo.png", landscape<std::uint8_t>(60, 40, 0.5), {});
-  const auto complaint = [&](const std::string& flags) {
-    const Outcome outcome = run(folder, "parhelion composite photo.png -o out.png " + flags);
-    CHECK(outcome.exit == 2);
-    CHECK(lines(outcome.err) == 2);
-    CHECK_FALSE(std::filesystem::exists(folder / "out.png"));
-    return outcome.err;
-  };
-  CHECK(complaint("").find("--scene") != std::string::npos);
-  CHECK(complaint("--scene scene.toml").find("--fov-horizontal") != std::string::npos);
-  CHECK(complaint("--scene scene.toml --fov-horizontal 60").find("--sun X,Y") != std::string::npos);
-  CHECK(complaint("--scene scene.toml --fov-horizontal 60 --sun 3").find("X,Y in pixels") != std::string::npos);
-  CHECK(complaint("--scene scene.toml --fov-horizontal 60 --fov-vertical 50 --sun 3,4").find("more than once") !=
-        std::string::npos);
-  CHECK(complaint("--scene scene.toml --fov-horizontal 60 --azimuth 3").find("--elevation") != std::string::npos);
-  CHECK(complaint("--scene scene.toml --halo x.exr").find("exclude") != std::string::npos);
-  CHECK(complaint("--scene scene.toml --strength 1 --contrast 1").find("exclude") != std::string::npos);
 }

@@ -62,7 +62,7 @@ const SceneClaims kClaims[] = {
       {What::inVertical, 44.9},
       {What::inVertical, 50.4},
       {What::inVertical, 69.0}}},
-    {"evening.toml", {{What::atElevation, 22.2, 7}, {What::inVertical, 28.9}, {What::inVertical, 58.9}}},
+    {"evening.toml", {{What::ring, 21.9}, {What::atElevation, 22.2, 7}, {What::inVertical, 28.9}}},
     {"plates-and-pencils.toml",
      {{What::atElevation, 26.4, 25}, {What::inVertical, 71.3}, {What::inVertical, 46.9}, {What::inVertical, 3.1}}},
 };
