@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -32,6 +33,7 @@ struct CompositeOptions {
   std::optional<double> strength, contrast;
   bool allSky = false;
 
+  bool findsSky() const { return mask.empty() && !allSky; }
   std::filesystem::path foundMask() const {
     if (!maskOutput.empty()) return maskOutput;
     const std::filesystem::path out = output;
@@ -64,11 +66,11 @@ std::string validPicture(const std::string& text) {
 }
 
 void requireAll(const CompositeOptions& options) {
-  const bool finds = options.mask.empty() && !options.allSky;
+  const std::string found = options.findsSky() ? options.foundMask().string() : "";
   if (!options.layers.empty()) std::filesystem::create_directories(options.layers);
-  requireOutputs(options.photo, {options.output, finds ? options.foundMask().string() : "", options.halo.run.stats});
+  requireOutputs(options.photo, {options.output, found, options.halo.run.stats});
   if (!options.mask.empty()) requireOutputs(options.mask, {options.output});
-  requireOutputs(options.halo.file(), {options.output, finds ? options.foundMask().string() : ""});
+  requireOutputs(options.halo.file(), {options.output, found});
 }
 
 SkyMask maskOf(const CompositeOptions& options, const Photograph& photograph) {
@@ -123,7 +125,7 @@ void writeComposite(const CompositeOptions& options, const Photograph& photograp
   writePhotograph(out, photograph, text, envmapOf(Camera(camera.camera)));
 }
 
-void report(const CompositeOptions& options, const Photograph& photograph, const CompositeReport& done, bool finds) {
+void report(const CompositeOptions& options, const Photograph& photograph, const CompositeReport& done) {
   const double pixels = static_cast<double>(photograph.pixels());
   std::fprintf(stderr, "the halo touches %.1f %% of the picture", 100.0 * static_cast<double>(done.touched) / pixels);
   if (done.clipped > 0)
@@ -133,7 +135,7 @@ void report(const CompositeOptions& options, const Photograph& photograph, const
     std::fprintf(stderr, "; %.1f %% is sky that the halo's picture does not reach",
                  100.0 * static_cast<double>(done.uncovered) / pixels);
   std::fprintf(stderr, "\nwrote %s", options.output.c_str());
-  if (finds)
+  if (options.findsSky())
     std::fprintf(stderr, " and the sky found in it, %s (correct it and give it back with --mask)",
                  options.foundMask().c_str());
   std::fprintf(stderr, "\n");
@@ -150,13 +152,8 @@ int runComposite(const CompositeOptions& options) {
   if (!options.halo.run.quiet)
     for (const std::string& remark : camera.remarks) std::fprintf(stderr, "%s\n", remark.c_str());
 
-  const bool finds = options.mask.empty() && !options.allSky;
   const int threads = options.halo.run.threads;
   const SkyMask mask = withThreads(threads, [&] { return maskOf(options, photograph); });
-  if (finds)
-    writeSkyMask(
-        options.foundMask(), mask,
-        {{"Software", "parhelion " PARHELION_VERSION}});  // also when the rest fails: finding out why may need it
   const HaloSource::Result halo = options.halo.make(camera, stop);
   const AddedHalo added{halo.lookup, mask, perRadiance(options, photograph, mask, camera, halo.lookup)};
 
@@ -170,7 +167,8 @@ int runComposite(const CompositeOptions& options) {
     if (!options.layers.empty()) writeLayers(options, photograph, added, camera, text);
     const CompositeReport done = addHalo(photograph, added);
     writeComposite(options, photograph, camera, text);
-    if (!options.halo.run.quiet) report(options, photograph, done, finds);
+    if (options.findsSky()) writeSkyMask(options.foundMask(), mask, {{"Software", text["software"]}});
+    if (!options.halo.run.quiet) report(options, photograph, done);
     return halo.exitCode;
   });
 }

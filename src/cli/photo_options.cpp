@@ -2,6 +2,7 @@
 #include "cli/photo_options.h"
 
 #include <charconv>
+#include <cmath>
 #include <cstdio>
 #include <stdexcept>
 
@@ -68,10 +69,13 @@ std::string text(const char* format, double a, double b = 0.0, double c = 0.0) {
   throw CLI::ValidationError(path, problem);
 }
 
-/// Where the picture's camera looks, as the flags say it; elevation and roll in degrees.
+/// Thousandths of degrees, never -0.
+double shown(double radians) { return std::round(degrees(radians) * 1e3) / 1e3 + 0.0; }
+
+/// Where the picture's camera looks, as the flags say it.
 std::string described(const CameraSettings& camera) {
-  return text("camera: azimuth %.3f, elevation %.3f, roll %.3f degrees", degrees(camera.azimuth),
-              degrees(camera.elevation), degrees(camera.roll)) +
+  return text("camera: azimuth %.3f, elevation %.3f, roll %.3f degrees", shown(camera.azimuth), shown(camera.elevation),
+              shown(camera.roll)) +
          text(", focal length %.1f pixels", Camera(camera).focalLength());
 }
 
