@@ -10,7 +10,8 @@ enum ExitCode {
   kDone = 0,
   kRunTimeFailure = 1,
   kUsageError = 2,    // also a scene that cannot be used
-  kInterrupted = 75,  // stopped by a signal; what was traced has been written, of a reconstruction nothing
+  kInterrupted = 75,  // stopped by a signal, a sweep by its time, too; what was traced has been written, of a
+                      // reconstruction nothing, of a sweep the finished frames
 };
 
 // Each adds one subcommand. Once the command line is parsed, the chosen command runs and stores how it ended in `exit`.

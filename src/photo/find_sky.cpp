@@ -106,6 +106,7 @@ std::vector<Region> candidates(const SkyScene& scene) {
 
 // Limits of what sky can look like, from photographs of skies with much texture and of none.
 constexpr double kLeastEdge = 0.78;      // clearness of the border, below which there is none
+constexpr double kMostSky = 0.98;        // of the picture, above which the rest is a cloud at its lower border
 constexpr double kMostThinLines = 0.08;  // share of the sky
 constexpr double kMostGreen = 0.3;       // share of the sky
 constexpr float kGreen = -0.03F;         // of both opponent colours
@@ -131,7 +132,9 @@ Region coarseSky(const SkyScene& scene) {
   tbb::parallel_for(std::size_t{0}, regions.size(), [&](std::size_t i) { merits[i] = skyMerit(scene, regions[i]); });
   const std::size_t best = chooseSky(scene, regions, merits);
   Region sky = regions[best];
-  if (merits[best].edge < kLeastEdge || merits[best].value() <= 0.0) sky = Region(width, height, 1);
+  const SkyMerit& merit = merits[best];
+  const bool border = merit.edge >= kLeastEdge && merit.area <= kMostSky && merit.value() > 0.0;
+  if (!border) sky = Region(width, height, 1);
   return canBeSky(scene, sky, skyMerit(scene, sky)) ? sky : Region(width, height, 0);
 }
 

@@ -112,20 +112,25 @@ Division divide(const SkyScene& scene, const Region& inner, const Region& outer)
   return division;
 }
 
-// Found on painted and real landscapes: a region must be nearly as good as the best to be chosen instead of it.
-constexpr double kNearlyAsGood = 0.85;
+// Found on painted and real landscapes. A region must be nearly as good as the best to be chosen instead of it.
+constexpr double kNearlyAsGood = 0.85;   // of a larger one
+constexpr double kSmallerAsGood = 0.88;  // of a smaller one
+constexpr double kLeastFront = 0.4;      // widths of the picture that land set apart borders on the sky
 constexpr double kNoEdge = 0.7;          // clearness below which a border has gaps
-constexpr double kApart = 0.62;          // clearness x separation x consistency of land below the sky
+constexpr double kApart = 0.58;          // clearness x separation x consistency of land below the sky
 constexpr double kBrighterApart = 0.87;  // the same where it is brighter than the sky, as land rarely is
 constexpr double kSurelyApart = 0.93;    // clearness x separation where consistency does not matter
 constexpr double kBrighterSteps = 3.0;   // sky gets brighter toward the horizon, too
+constexpr double kGlowSteps = 8.0;       // land that is brighter than the sky by more is sky with a glow
 
 bool setApart(const SkyScene& scene, const Division& division) {
   const auto step = static_cast<double>(scene.step);
   const bool brighter = division.border.brightening() > step || division.brightening > kBrighterSteps * step;
   const double apart = division.border.clearness() * division.separation;
   const double consistent = apart * division.border.consistency();
-  return division.nested && (apart > kSurelyApart || consistent > (brighter ? kBrighterApart : kApart));
+  const bool front = division.border.count > kLeastFront * scene.colours.width();
+  const bool apartEnough = brighter ? consistent > kBrighterApart : consistent > kApart || apart > kSurelyApart;
+  return division.nested && front && division.brightening < kGlowSteps * step && apartEnough;
 }
 
 bool noEdgeBetween(const Division& division) {
@@ -159,23 +164,23 @@ std::size_t chooseSky(const SkyScene& scene, const std::vector<Region>& regions,
   const auto value = [&](std::size_t i) { return merits[i].value(); };
   std::size_t best = 0;
   for (std::size_t i = 1; i < regions.size(); ++i) best = value(i) > value(best) ? i : best;
-  const double enough = kNearlyAsGood * value(best);
+  const double top = value(best);
   // Moves to the best region that `better` prefers, until there is none; areas only grow or only shrink.
-  const auto move = [&](const auto& better) {
+  const auto move = [&](double enough, const auto& better) {
     for (bool moved = true; moved;) {
       std::size_t next = best;
       for (std::size_t i = 0; i < regions.size(); ++i) {
-        if (value(i) < enough || (next != best && value(i) <= value(next))) continue;
+        if (value(i) < enough * top || (next != best && value(i) <= value(next))) continue;
         if (better(i)) next = i;
       }
       moved = next != best;
       best = next;
     }
   };
-  move([&](std::size_t i) {
+  move(kNearlyAsGood, [&](std::size_t i) {
     return merits[i].area > 1.02 * merits[best].area && noEdgeBetween(divide(scene, regions[best], regions[i]));
   });
-  move([&](std::size_t i) {
+  move(kSmallerAsGood, [&](std::size_t i) {
     return merits[i].area < 0.95 * merits[best].area && setApart(scene, divide(scene, regions[i], regions[best]));
   });
   return best;
