@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <cctype>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -13,6 +14,7 @@
 #include "optics/ice.h"
 #include "photo/composite.h"
 #include "photo/find_sky.h"
+#include "photo/found_mask.h"
 #include "photo/layers.h"
 #include "photo/sky_match.h"
 #include "recon/threads.h"
@@ -25,6 +27,8 @@ namespace {
 /// The 99th percentile of the halo adds this share of the sky's luminance when nothing else is said: a display that
 /// nobody overlooks.
 constexpr double kUsualContrast = 0.5;
+
+constexpr const char* kLayerFiles[] = {"halo.exr", "sum.exr", "halo-dodge.png", "mask.png", "grid.png"};
 
 struct CompositeOptions {
   std::string photo, output, mask, maskOutput, layers, white = "sun";
@@ -54,28 +58,54 @@ std::optional<Vec3> colour(const std::string& text) {
 
 std::string validWhite(const std::string& text) {
   if (text == "sun" || text == "sky" || colour(text)) return {};
-  return "expected sun, sky or R,G,B, not '" + text + "'";
+  return "expected sun, sky or R,G,B (positive numbers), not '" + text + "'";
+}
+
+/// "jpg" of "a/B.JPG".
+std::string kindOf(const std::filesystem::path& path) {
+  std::string kind = path.extension().string();
+  for (char& c : kind) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return kind.empty() ? kind : kind.substr(1);
 }
 
 std::string validPicture(const std::string& text) {
-  const std::string extension = std::filesystem::path(text).extension().string();
-  for (const char* known : {".png", ".jpg", ".jpeg", ".exr"}) {
-    if (extension == known) return {};
+  for (const char* known : {"png", "jpg", "jpeg", "exr"}) {
+    if (kindOf(text) == known) return {};
   }
   return "expected a file name ending in .png, .jpg or .exr, not '" + text + "'";
 }
 
-void requireAll(const CompositeOptions& options) {
-  const std::string found = options.findsSky() ? options.foundMask().string() : "";
-  if (!options.layers.empty()) std::filesystem::create_directories(options.layers);
-  requireOutputs(options.photo, {options.output, found, options.halo.run.stats});
-  if (!options.mask.empty()) requireOutputs(options.mask, {options.output});
-  requireOutputs(options.halo.file(), {options.output, found});
+void requireSense(const CompositeOptions& options) {
+  options.halo.requireOne();
+  if (options.strength && options.contrast) throw CLI::ValidationError("--strength and --contrast exclude each other");
+  if (options.allSky && !options.mask.empty()) throw CLI::ValidationError("--mask and --all-sky exclude each other");
+  if (!options.maskOutput.empty() && !options.findsSky())
+    throw CLI::ValidationError("--mask-out is for a mask that is found; --mask or --all-sky say it already");
 }
 
-SkyMask maskOf(const CompositeOptions& options, const Photograph& photograph) {
+/// All that will be written can be, and nothing is written over an input or another output.
+void requireAll(const CompositeOptions& options) {
+  std::vector<std::string> outputs{options.output, options.findsSky() ? options.foundMask().string() : "",
+                                   options.halo.run.stats};
+  const auto check = [&] {
+    for (const std::string& input : {options.photo, options.mask, options.halo.file()}) {
+      if (!input.empty()) requireOutputs(input, outputs);
+    }
+  };
+  check();
+  if (options.layers.empty()) return;
+  std::filesystem::create_directory(options.layers);
+  for (const char* name : kLayerFiles) outputs.push_back(options.layer(name).string());
+  check();
+}
+
+SkyMask maskOf(const CompositeOptions& options, const Photograph& photograph, const PhotoCamera& camera) {
   if (options.allSky) return {photograph.width, photograph.height, std::vector<std::uint8_t>(photograph.pixels(), 255)};
-  if (options.mask.empty()) return findSky(photograph);
+  if (options.mask.empty()) {
+    SkyMask found = findSky(photograph);
+    cutBelowHorizon(found, camera.camera);
+    return found;
+  }
   SkyMask mask = readSkyMask(options.mask);
   if (mask.width != photograph.width || mask.height != photograph.height)
     throw std::runtime_error(options.mask + ": the mask has " + std::to_string(mask.width) + " x " +
@@ -106,30 +136,40 @@ Vec3 perRadiance(const CompositeOptions& options, const Photograph& photograph, 
 
 void writeLayers(const CompositeOptions& options, const Photograph& photograph, const AddedHalo& added,
                  const PhotoCamera& camera, const std::map<std::string, std::string>& text) {
-  writePhotograph(options.layer("halo.exr"), lightLayer(added), text);
-  writePhotograph(options.layer("sum.exr"), linearSum(photograph, added), text);
-  writePhotograph(options.layer("halo-dodge.png"), dodgeLayer(photograph, added), text);
-  writeSkyMask(options.layer("mask.png"), added.mask, text);
+  writePhotograph(options.layer(kLayerFiles[0]), lightLayer(added), text);
+  writePhotograph(options.layer(kLayerFiles[1]), linearSum(photograph, added), text);
+  writePhotograph(options.layer(kLayerFiles[2]), dodgeLayer(photograph, added), text);
+  writeSkyMask(options.layer(kLayerFiles[3]), added.mask, text);
   OverlaySettings grid;
   grid.halos = true;
   constexpr double kGreen = 550.0;  // nm
-  writeLayer(options.layer("grid.png"), drawOverlay(camera.camera, camera.sunElevation, iceIndex(kGreen), grid), text);
+  writeLayer(options.layer(kLayerFiles[4]), drawOverlay(camera.camera, camera.sunElevation, iceIndex(kGreen), grid),
+             text);
 }
 
-/// A JPEG out of a JPEG keeps what the halo does not touch.
-void writeComposite(const CompositeOptions& options, const Photograph& photograph, const PhotoCamera& camera,
-                    const std::map<std::string, std::string>& text) {
+/// A JPEG out of a JPEG keeps what the halo does not touch, an EXR holds light beyond white.
+CompositeReport writeComposite(const CompositeOptions& options, Photograph& photograph, const AddedHalo& added,
+                               const PhotoCamera& camera, const std::map<std::string, std::string>& text) {
   const std::filesystem::path out = options.output;
-  const bool jpeg = out.extension() == ".jpg" || out.extension() == ".jpeg";
-  if (jpeg && writePatchedJpeg(out, options.photo, photograph)) return;
-  writePhotograph(out, photograph, text, envmapOf(Camera(camera.camera)));
+  const std::string kind = kindOf(out);
+  const bool codes = !std::holds_alternative<std::vector<float>>(photograph.samples);
+  const Envmap envmap = envmapOf(Camera(camera.camera));
+  if (kind == "exr" && codes) writePhotograph(out, linearSum(photograph, added), text, envmap);
+  const CompositeReport done = addHalo(photograph, added);
+  if (kind == "exr" && codes) return done;
+  if (kind != "jpg" && kind != "jpeg") {
+    writePhotograph(out, photograph, text, envmap);
+  } else if (!writePatchedJpeg(out, options.photo, photograph)) {
+    writePhotograph(out, photograph, text);
+  }
+  return done;
 }
 
 void report(const CompositeOptions& options, const Photograph& photograph, const CompositeReport& done) {
   const double pixels = static_cast<double>(photograph.pixels());
   std::fprintf(stderr, "the halo touches %.1f %% of the picture", 100.0 * static_cast<double>(done.touched) / pixels);
   if (done.clipped > 0)
-    std::fprintf(stderr, ", %.2f %% of it becomes whiter than white and is clipped",
+    std::fprintf(stderr, ", %.2f %% becomes whiter than white and is clipped",
                  100.0 * static_cast<double>(done.clipped) / pixels);
   if (done.uncovered > 0)
     std::fprintf(stderr, "; %.1f %% is sky that the halo's picture does not reach",
@@ -142,9 +182,7 @@ void report(const CompositeOptions& options, const Photograph& photograph, const
 }
 
 int runComposite(const CompositeOptions& options) {
-  options.halo.requireOne();
-  if (options.strength && options.contrast) throw CLI::ValidationError("--strength and --contrast exclude each other");
-  if (options.allSky && !options.mask.empty()) throw CLI::ValidationError("--mask and --all-sky exclude each other");
+  requireSense(options);
   requireAll(options);
   const StopSignal stop;
   Photograph photograph = readPhotograph(options.photo, options.camera.rules());
@@ -153,7 +191,8 @@ int runComposite(const CompositeOptions& options) {
     for (const std::string& remark : camera.remarks) std::fprintf(stderr, "%s\n", remark.c_str());
 
   const int threads = options.halo.run.threads;
-  const SkyMask mask = withThreads(threads, [&] { return maskOf(options, photograph); });
+  const SkyMask mask = withThreads(threads, [&] { return maskOf(options, photograph, camera); });
+  if (options.findsSky()) requireUnchangedMask(options.foundMask());
   const HaloSource::Result halo = options.halo.make(camera, stop);
   const AddedHalo added{halo.lookup, mask, perRadiance(options, photograph, mask, camera, halo.lookup)};
 
@@ -165,9 +204,8 @@ int runComposite(const CompositeOptions& options) {
   text["Software"] = text["software"];
   return withThreads(threads, [&] {
     if (!options.layers.empty()) writeLayers(options, photograph, added, camera, text);
-    const CompositeReport done = addHalo(photograph, added);
-    writeComposite(options, photograph, camera, text);
-    if (options.findsSky()) writeSkyMask(options.foundMask(), mask, {{"Software", text["software"]}});
+    const CompositeReport done = writeComposite(options, photograph, added, camera, text);
+    if (options.findsSky()) writeFoundMask(options.foundMask(), mask, text["software"]);
     if (!options.halo.run.quiet) report(options, photograph, done);
     return halo.exitCode;
   });

@@ -47,6 +47,11 @@ void HaloSource::addTo(CLI::App& command) {
 void HaloSource::requireOne() const {
   if (run.scene.empty() && picture.empty()) throw CLI::RequiredError("--scene SCENE, or --halo SKY.exr,");
   if (!run.scene.empty() && !picture.empty()) throw CLI::ValidationError("--scene and --halo exclude each other");
+  for (const std::string& override : run.overrides) {
+    if (override.starts_with("camera") || override.starts_with("sun.visible"))
+      throw CLI::ValidationError("-D " + override,
+                                 "the photograph has its own camera and sun; see --fov-horizontal and so on");
+  }
   if (run.scene.empty() && (!run.overrides.empty() || !run.rays.empty() || coarseness || !run.stats.empty()))
     throw CLI::ValidationError(
         "-D, --rays, --stats and --coarseness are for a --scene; the sky of --halo is made already");
@@ -78,6 +83,12 @@ HaloSource::Result HaloSource::render(const PhotoCamera& camera, const StopSigna
 HaloSource::Result HaloSource::read(const PhotoCamera& camera) const {
   const ExrFile sky = readExr(picture);
   const LoadedScene loaded = sceneIn(sky, picture);
+  if (!sky.image.find("R") || !sky.image.find("G") || !sky.image.find("B"))
+    throw std::runtime_error(picture +
+                             ": holds hits or channels of its own, no picture; parhelion recon makes one of hits");
+  if (sky.attributes.contains("parhelion:strength"))
+    throw std::runtime_error(picture +
+                             ": is made from a photograph; the sky must be one that render or recon has written");
   const double off = std::abs(loaded.scene.sun.elevation - camera.sunElevation);
   constexpr double kMostOff = radians(0.1);  // a fifth of the sun's disc; parhelia move far less
   if (off > kMostOff) {

@@ -79,6 +79,20 @@ std::string described(const CameraSettings& camera) {
          text(", focal length %.1f pixels", Camera(camera).focalLength());
 }
 
+/// What a user should know of how well the clues agree.
+void remarkOn(const Pointing& pointing, std::size_t clues, std::vector<std::string>& remarks) {
+  constexpr double kDisagreement = radians(0.25);  // half the sun's disc
+  if (clues > 1)
+    remarks.push_back(text("pointing: off by %.2f pixels, %.4f degrees (root mean square over %.0f places)",
+                           pointing.rmsPixels(), degrees(pointing.rmsAngle()), static_cast<double>(clues)));
+  if (pointing.rmsAngle() > kDisagreement)
+    remarks.emplace_back(
+        "warning: the places do not agree with each other; is one of them, the field of view or a sign wrong?");
+  if (std::abs(pointing.roll) > 0.5 * kPi)
+    remarks.emplace_back(
+        "warning: this camera hangs upside down; is an azimuth's sign wrong? It is positive to the right");
+}
+
 }  // namespace
 
 void PhotoOptions::addTo(CLI::App& command) {
@@ -156,6 +170,10 @@ CameraSettings PhotoOptions::lens(const Photograph& photograph, const std::strin
   constexpr const char* kWays = "give --fov-horizontal, --fov-vertical, --fov-diagonal or --focal-35mm";
   try {
     const auto found = lensFromExif(exif, photograph.width, photograph.height);
+    if (!found && photograph.width == 2 * photograph.height && !focal35mm)
+      refuse(path, std::string("it does not say how wide its lens saw; for a panorama of the whole sphere give "
+                               "--projection equirectangular, else ") +
+                       (kWays + std::string("give ").size()));
     if (!found) refuse(path, std::string("it does not say how wide its lens saw; ") + kWays);
     remarks.push_back(text("lens: %.1f pixels, ", found->focalPixels) + found->source);
     return withFocalLength(camera, found->focalPixels);
@@ -187,10 +205,24 @@ void PhotoOptions::pointByAngles(PhotoCamera& found, const std::string& path,
   found.sunElevation = *elevationOfSun;
 }
 
+/// A message about "clue 2" in terms of the options that gave the clues.
+std::string PhotoOptions::withNames(std::string message) const {
+  std::vector<std::string> names;
+  if (!sun.empty()) names.push_back("--sun " + sun);
+  for (const std::string& point : horizon) names.push_back("--horizon " + point);
+  for (const std::string& point : known) names.push_back("--known " + point);
+  for (std::size_t k = names.size(); k-- > 0;) {
+    const std::string clue = "clue " + std::to_string(k + 1);
+    for (std::size_t at = message.find(clue); at != std::string::npos; at = message.find(clue, at + names[k].size()))
+      message.replace(at, clue.size(), names[k]);
+  }
+  return message;
+}
+
 void PhotoOptions::pointByClues(PhotoCamera& found, const std::string& path,
                                 std::optional<double> sceneSunElevation) const {
   // What the picture itself tells of the sun's height comes before what a scene was written with.
-  const bool panorama = found.camera.projection == Projection::equirectangular && horizon.empty() && known.empty();
+  const bool panorama = found.camera.projection == Projection::equirectangular && known.empty();
   const bool measured = panorama || horizon.size() >= 2 || known.size() >= 2;
   std::optional<double> elevationOfSun = measured ? std::nullopt : sceneSunElevation;
   if (sunElevation) elevationOfSun = radians(*sunElevation);
@@ -209,13 +241,11 @@ void PhotoOptions::pointByClues(PhotoCamera& found, const std::string& path,
   try {
     const Pointing pointing = findPointing(found.camera, given, turn);
     found.camera.azimuth = pointing.azimuth;
-    found.camera.elevation = pointing.elevation;
-    found.camera.roll = pointing.roll;
-    found.remarks.push_back(text("pointing: %.0f clues, off by %.2f pixels, %.4f degrees (root mean square)",
-                                 static_cast<double>(given.size()), pointing.rmsPixels(),
-                                 degrees(pointing.rmsAngle())));
+    found.camera.elevation = panorama ? 0.0 : pointing.elevation;
+    found.camera.roll = panorama ? 0.0 : pointing.roll;
+    remarkOn(pointing, given.size(), found.remarks);
   } catch (const std::invalid_argument& problem) {
-    refuse(path, problem.what());
+    refuse(path, withNames(problem.what()));
   }
   if (elevationOfSun) {
     found.sunElevation = *elevationOfSun;
@@ -225,6 +255,9 @@ void PhotoOptions::pointByClues(PhotoCamera& found, const std::string& path,
   const auto toSun = Camera(found.camera).directionAt(place(numbers(sun, ",")));
   found.sunElevation = skyPoint(*toSun).elevation;
   found.remarks.push_back(text("sun: elevation %.3f degrees, measured in the picture", degrees(found.sunElevation)));
+  if (found.sunElevation < 0.0)
+    found.remarks.emplace_back(
+        "warning: the sun is below the horizon; does the camera hang upside down? Then give --roll");
 }
 
 void PhotoOptions::point(PhotoCamera& found, const std::string& path, std::optional<double> sceneSunElevation) const {

@@ -47,6 +47,7 @@ struct PhotoOptions {
  private:
   CameraSettings lens(const Photograph& photograph, const std::string& path, std::vector<std::string>& remarks) const;
   std::vector<PointingClue> clues(std::optional<double> elevationOfSun) const;
+  std::string withNames(std::string message) const;
   void point(PhotoCamera& found, const std::string& path, std::optional<double> sceneSunElevation) const;
   void pointByAngles(PhotoCamera& found, const std::string& path, std::optional<double> elevationOfSun) const;
   void pointByClues(PhotoCamera& found, const std::string& path, std::optional<double> sceneSunElevation) const;

@@ -16,7 +16,7 @@
 
 namespace parhelion::cli {
 
-void requireOutputs(const std::string& input, std::initializer_list<std::string> outputs) {
+void requireOutputs(const std::string& input, const std::vector<std::string>& outputs) {
   std::set<std::filesystem::path> taken{std::filesystem::weakly_canonical(std::filesystem::absolute(input))};
   for (const std::string& output : outputs) {
     if (output.empty()) continue;

@@ -90,6 +90,7 @@ std::vector<Region> candidates(const SkyScene& scene) {
   constexpr std::array kFloodSteps{1.5F, 2.0F, 3.0F, 4.5F};
   Region top(scene.colours.width(), scene.colours.height());
   std::fill(top.begin(), top.begin() + top.width(), std::uint8_t{1});
+  const SkyCut cut(scene);
   std::vector<Region> all(kFloodSteps.size() + 3 * distinct.size());
   tbb::parallel_for(std::size_t{0}, kFloodSteps.size() + distinct.size(), [&](std::size_t i) {
     if (i < kFloodSteps.size()) {
@@ -98,7 +99,7 @@ std::vector<Region> candidates(const SkyScene& scene) {
     }
     const std::size_t start = i - kFloodSteps.size(), slot = kFloodSteps.size() + 3 * start;
     all[slot] = distinct[start];
-    all[slot + 1] = cutSky(scene, distinct[start]);
+    all[slot + 1] = cut(distinct[start]);
     all[slot + 2] = grownSky(scene, all[slot + 1], kGrowSteps * scene.step);
   });
   return all;

@@ -2,9 +2,10 @@
 #include "photo/halo_lookup.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <stdexcept>
+
+#include <glm/common.hpp>
 
 namespace parhelion {
 namespace {
@@ -19,12 +20,8 @@ bool sameButForScale(CameraSettings a, const CameraSettings& b) {
   return a == b;
 }
 
-/// Weights of the four values about a place, `t` of the way from the second to the third.
-std::array<double, 4> catmullRom(double t) {
-  const double t2 = t * t, t3 = t2 * t;
-  return {0.5 * (-t3 + 2.0 * t2 - t), 0.5 * (3.0 * t3 - 5.0 * t2 + 2.0), 0.5 * (-3.0 * t3 + 4.0 * t2 + t),
-          0.5 * (t3 - t2)};
-}
+/// Relative. Pixels that differ by less are of one size.
+constexpr double kSameSize = 1e-6;
 
 double finite(float sample) { return std::isfinite(sample) ? sample : 0.0; }
 
@@ -34,6 +31,7 @@ HaloLookup::HaloLookup(const Image& halo, const CameraSettings& haloCamera, cons
     : haloCamera_(haloCamera),
       photoCamera_(photoCamera),
       squares_(std::max(1, static_cast<int>(haloCamera_.focalLength() / photoCamera_.focalLength()))),
+      finer_(haloCamera_.focalLength() > (1.0 + kSameSize) * squares_ * photoCamera_.focalLength()),
       sameLens_(sameButForScale(haloCamera, photoCamera)),
       // A panorama whose width is no multiple of the squares ends in narrower ones, which are no whole neighbours.
       wraps_(haloCamera.projection == Projection::equirectangular &&
@@ -79,23 +77,31 @@ std::optional<Vec2> HaloLookup::haloPlace(Vec2 place) const {
 
 int HaloLookup::column(int x) const { return wraps_ ? (x % width_ + width_) % width_ : std::clamp(x, 0, width_ - 1); }
 
-std::optional<Vec3> HaloLookup::at(Vec2 place) const {
+std::optional<Vec3> HaloLookup::lightAt(Vec2 place) const {
   const auto found = haloPlace(place);
   if (!found) return std::nullopt;
   const Vec2 p = *found / static_cast<double>(squares_) - 0.5;  // the centre of the first square is 0
-  const double left = std::floor(p.x), top = std::floor(p.y);
-  const auto wx = catmullRom(p.x - left), wy = catmullRom(p.y - top);
+  const Vec2 corner = glm::floor(p), share = p - corner;
+  const auto value = [&](int dx, int dy) {
+    const int x = column(static_cast<int>(corner.x) + dx);
+    const int y = std::clamp(static_cast<int>(corner.y) + dy, 0, height_ - 1);
+    return light_[static_cast<std::size_t>(y) * width_ + x];
+  };
+  return (1.0 - share.y) * ((1.0 - share.x) * value(0, 0) + share.x * value(1, 0)) +
+         share.y * ((1.0 - share.x) * value(0, 1) + share.x * value(1, 1));
+}
+
+std::optional<Vec3> HaloLookup::at(Vec2 place) const {
+  if (!finer_) return lightAt(place);
   Vec3 sum(0.0);
-  for (int j = 0; j < 4; ++j) {
-    const std::size_t row =
-        static_cast<std::size_t>(std::clamp(static_cast<int>(top) + j - 1, 0, height_ - 1)) * width_;
-    for (int i = 0; i < 4; ++i) {
-      const int x = column(static_cast<int>(left) + i - 1);
-      sum +=
-          wx[static_cast<std::size_t>(i)] * wy[static_cast<std::size_t>(j)] * light_[row + static_cast<std::size_t>(x)];
-    }
+  int seen = 0;
+  for (const Vec2& quarter : {Vec2(-0.25, -0.25), Vec2(0.25, -0.25), Vec2(-0.25, 0.25), Vec2(0.25, 0.25)}) {
+    const auto light = lightAt(place + quarter);
+    if (!light) continue;
+    sum += *light;
+    ++seen;
   }
-  return glm::max(sum, 0.0);
+  return seen > 0 ? std::optional(sum / static_cast<double>(seen)) : std::nullopt;
 }
 
 }  // namespace parhelion

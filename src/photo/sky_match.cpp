@@ -69,7 +69,8 @@ SkyTone skyTone(const Photograph& photograph, const SkyMask& mask, const CameraS
   const Mean& mean = tone.aroundSun ? around : all;
   tone.luminance = mean.pixels > 0 ? glm::dot(mean.sum, kRec709Luminance) / static_cast<double>(mean.pixels) : 0.0;
   if (!(tone.luminance > 0.0))
-    throw std::invalid_argument("no sky whose brightness could be measured: it is masked, black or clipped");
+    throw std::invalid_argument(
+        "the sky has no brightness to be measured: it is masked, black or clipped; give --strength, or another --mask");
   tone.colour = mean.sum / (static_cast<double>(mean.pixels) * tone.luminance);
   return tone;
 }

@@ -7,7 +7,6 @@
 #include <cstdlib>
 
 #include "math/portable.h"
-#include "photo/min_cut.h"
 
 namespace parhelion {
 
@@ -149,7 +148,6 @@ constexpr float kEdgeCost = 0.02F;        // of that remains across the stronges
 constexpr float kDiagonal = 0.7F;         // of that for diagonal neighbours, farther away
 constexpr float kRoughStep = 0.05F;       // mean difference of neighbours where half a nat speaks against sky
 
-// How rough the picture is about each pixel, 0 to 1: sky is smooth, land need not be.
 Raster<float> roughness(const SkyScene& scene) {
   constexpr int kReach = 2;
   const auto& colours = scene.colours;
@@ -173,7 +171,8 @@ Raster<float> roughness(const SkyScene& scene) {
   return rough;
 }
 
-void linkNeighbours(const SkyScene& scene, MinCut& cut) {
+MinCut linkedNeighbours(const SkyScene& scene) {
+  MinCut cut(scene.colours.size());
   const auto& colours = scene.colours;
   const double scale = 0.5 / (1.5 * static_cast<double>(scene.step * scene.step));
   const auto link = [&](int x, int y, int dx, int dy, float weight) {
@@ -191,6 +190,7 @@ void linkNeighbours(const SkyScene& scene, MinCut& cut) {
       link(x, y, -1, 1, kDiagonal);
     }
   }
+  return cut;
 }
 
 }  // namespace
@@ -215,23 +215,23 @@ Region grownSky(const SkyScene& scene, const Region& sky, float largestStep) {
   return withoutIslands(grown);
 }
 
-Region cutSky(const SkyScene& scene, const Region& guess) {
-  const Raster<float> rough = roughness(scene);
+SkyCut::SkyCut(const SkyScene& scene) : scene_(scene), rough_(roughness(scene)), links_(linkedNeighbours(scene)) {}
+
+Region SkyCut::operator()(const Region& guess) const {
   Region sky = guess;
   for (int round = 0; round < kCutRounds; ++round) {
     ColourHistogram ofSky, ofLand;
-    for (std::size_t i = 0; i < sky.size(); ++i) (sky[i] != 0 ? ofSky : ofLand).add(scene.colours[i]);
+    for (std::size_t i = 0; i < sky.size(); ++i) (sky[i] != 0 ? ofSky : ofLand).add(scene_.colours[i]);
     const double least = sky.width();  // pixels to learn colours from
     if (ofSky.total() < least || ofLand.total() < least) return sky;
-    MinCut cut(sky.size());
+    MinCut cut = links_;
     for (std::size_t i = 0; i < sky.size(); ++i) {
-      const double ratio = ofSky.density(scene.colours[i]) / ofLand.density(scene.colours[i]);
+      const double ratio = ofSky.density(scene_.colours[i]) / ofLand.density(scene_.colours[i]);
       float evidence = std::clamp(static_cast<float>(portable::log(ratio)), -kLargestEvidence, kLargestEvidence);
-      evidence += (guess[i] != 0 ? kGuessEvidence : -kGuessEvidence) - rough[i];
+      evidence += (guess[i] != 0 ? kGuessEvidence : -kGuessEvidence) - rough_[i];
       if (i >= sky.index(0, sky.height() - 1)) evidence = -kGround;
       cut.terminals(i, std::max(evidence, 0.0F), std::max(-evidence, 0.0F));
     }
-    linkNeighbours(scene, cut);
     cut.run();
     for (std::size_t i = 0; i < sky.size(); ++i) sky[i] = cut.onSourceSide(i) ? 1 : 0;
     sky = withoutIslands(fromUpperBorder(sky));

@@ -46,14 +46,14 @@ Image picture(const CameraSettings& settings) {
   return image;
 }
 
-/// The largest difference between what is looked up and the light itself, over places of the photograph that lie at
+/// The largest difference between what is looked up and the light itself, over pixels of the photograph that lie at
 /// least two of the halo's pixels inside its picture.
 double worst(const CameraSettings& halo, const CameraSettings& photo) {
   const HaloLookup lookup(picture(halo), halo, photo);
   const Camera view(photo), haloView(halo);
   double largest = 0.0;
-  for (double y = 0.25; y < photo.height; y += 1.7) {
-    for (double x = 0.25; x < photo.width; x += 1.3) {
+  for (double y = 0.5; y < photo.height; y += 2.0) {
+    for (double x = 0.5; x < photo.width; x += 1.0) {
       const auto toSky = view.toSky({x, y});
       if (!toSky) continue;
       const auto place = haloView.project(*toSky);
@@ -72,10 +72,11 @@ double worst(const CameraSettings& halo, const CameraSettings& photo) {
 
 TEST_CASE("a halo is looked up where the photograph sees it") {
   const CameraSettings photo = camera(Projection::rectilinear, 60.0, 200, 150);
-  // The cubic's error grows with the third power of the pixel: waves of 18 degrees on pixels of 0.25 and 0.5 degrees.
-  CHECK(worst(camera(Projection::equirectangular, 360.0, 1440, 720), photo) < 1e-4);
-  CHECK(worst(camera(Projection::equirectangular, 360.0, 720, 360), photo) < 1e-3);
-  CHECK(worst(camera(Projection::fisheyeEqualArea, 180.0, 700, 700), photo) < 1e-3);
+  // Bilinear: an eighth of the squared pixel times the second derivatives, which add up to 656 here: 0.0016 for pixels
+  // of 0.25 degrees. The mean over the photograph's own pixels of 0.3 degrees bends it by another 0.0008.
+  CHECK(worst(camera(Projection::equirectangular, 360.0, 1440, 720), photo) < 3e-3);
+  CHECK(worst(camera(Projection::equirectangular, 360.0, 720, 360), photo) < 8e-3);
+  CHECK(worst(camera(Projection::fisheyeEqualArea, 180.0, 700, 700), photo) < 6e-3);
 }
 
 TEST_CASE("larger pixels of the same camera keep the halo in its place") {
@@ -87,7 +88,7 @@ TEST_CASE("larger pixels of the same camera keep the halo in its place") {
     const CameraSettings halo = haloCamera(photo, coarseness);
     CHECK(halo.width == (403 + coarseness - 1) / coarseness);
     CHECK(Camera(halo).focalLength() == doctest::Approx(Camera(photo).focalLength() / coarseness).epsilon(1e-12));
-    CHECK(worst(halo, photo) < 5e-3);
+    CHECK(worst(halo, photo) < 8e-4 * coarseness * coarseness);  // as above, pixels of 0.15 degrees times that
   }
 }
 
@@ -104,6 +105,44 @@ TEST_CASE("a finer picture of the halo is averaged over the photograph's pixels"
     CHECK(glm::length(*lookup.at({x + 0.5, 20.5}) - light(*view.toSky({x + 0.5, 20.5}))) < 0.03);
 }
 
+TEST_CASE("a point of light keeps its light through any picture of the halo") {
+  const CameraSettings photo = camera(Projection::rectilinear, 60.0, 240, 180);
+  const Camera view(photo);
+  // Pixels twelve times as large as the photograph's, of about its size, and a third of it.
+  for (const int width : {180, 1440, 2200, 3300}) {
+    const CameraSettings panorama = camera(Projection::equirectangular, 360.0, width, width / 2);
+    const Camera halo(panorama);
+    Image image{panorama.width, panorama.height, {}};
+    for (const char* name : {"R", "G", "B"}) image.add(name);
+    double given = 0.0, found = 0.0;
+    for (int dot = 0; dot < 40; ++dot) {
+      const int pixel = *halo.pixelAt(skyDirection(0.017 * (dot % 8) - 0.11, 0.031 * (dot / 8) - 0.05));
+      const double before = image.channels[1].samples[static_cast<std::size_t>(pixel)];
+      const double omega = halo.solidAngle(pixel % width, pixel / width);
+      image.channels[1].samples[static_cast<std::size_t>(pixel)] = static_cast<float>(before + 1.0 / omega);
+      given += 1.0;
+    }
+    const HaloLookup lookup(image, panorama, photo);
+    for (int y = 0; y < photo.height; ++y) {
+      for (int x = 0; x < photo.width; ++x)
+        if (const auto light = lookup.at({x + 0.5, y + 0.5})) found += light->y * view.solidAngle(x, y);
+    }
+    INFO("panorama of width " << width);
+    // Forty points on grids that do not fit: each is off by up to a fifth where the pixels are of like size.
+    CHECK(std::abs(found / given - 1.0) < 0.03);
+  }
+}
+
+TEST_CASE("the photograph's own pixels come back as they are") {
+  const CameraSettings photo = camera(Projection::fisheyeEquidistant, 100.0, 50, 40);
+  Image image{photo.width, photo.height, {}};
+  for (const char* name : {"R", "G", "B"}) image.add(name);
+  image.channels[2].samples[20 * 50 + 17] = 3.0F;
+  const HaloLookup lookup(image, photo, photo);
+  CHECK(lookup.at({17.5, 20.5})->z == doctest::Approx(3.0).epsilon(1e-9));
+  CHECK(std::abs(lookup.at({18.5, 20.5})->z) < 1e-9);
+}
+
 TEST_CASE("a panorama has no seam") {
   const CameraSettings panorama = camera(Projection::equirectangular, 360.0, 720, 360);
   CameraSettings photo = camera(Projection::rectilinear, 40.0, 200, 100);
@@ -111,7 +150,7 @@ TEST_CASE("a panorama has no seam") {
   const HaloLookup lookup(picture(panorama), panorama, photo);
   const Camera view(photo);
   for (double x = 90.0; x < 110.0; x += 0.37)
-    CHECK(glm::length(*lookup.at({x, 50.0}) - light(*view.toSky({x, 50.0}))) < 1e-3);
+    CHECK(glm::length(*lookup.at({x, 50.0}) - light(*view.toSky({x, 50.0}))) < 8e-3);
 }
 
 TEST_CASE("a halo is not looked up beyond its picture, and samples that are no numbers are no light") {
