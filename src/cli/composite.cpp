@@ -237,7 +237,8 @@ void addComposite(CLI::App& app, int& exit) {
       ->check(number(0.0, 1e6));
   command
       ->add_option("--white", options->white,
-                   "Colour of white in the halo: sun (neutral), sky (the photograph's) or R,G,B")
+                   "Colour of white in the halo: neutral, that of the photograph's sky, or any")
+      ->type_name("sun|sky|R,G,B")
       ->check(CLI::Validator(validWhite, ""));
   command->add_option("--layers", options->layers, "Also write halo, mask, grid and linear sum into this folder")
       ->type_name("DIR");

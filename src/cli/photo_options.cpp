@@ -99,7 +99,8 @@ void PhotoOptions::addTo(CLI::App& command) {
   const auto angle = [&](const char* name, std::optional<double>& value, const char* about, double least, double most) {
     command.add_option(name, value, about)->type_name("DEG")->check(number(least, most));
   };
-  command.add_option("--projection", projection, "The photograph's lens; rectilinear when left out")
+  command.add_option("--projection", projection, "The photograph's lens, as in scenes; rectilinear when left out")
+      ->type_name("NAME")
       ->check(nameOfOne<Projection>(kProjectionNames));
   angle("--fov-horizontal", fovHorizontal, "Field of view from left to right; from the EXIF when left out", 0.1, 360.0);
   angle("--fov-vertical", fovVertical, "Field of view from bottom to top", 0.1, 360.0);
@@ -117,9 +118,11 @@ void PhotoOptions::addTo(CLI::App& command) {
   angle("--sun-elevation", sunElevation, "Elevation of the sun; the scene's when left out", -90.0, 90.0);
   command.add_option("--horizon", horizon, "A point of the horizon; two or more")
       ->type_name("X,Y")
+      ->allow_extra_args(false)
       ->check(pattern(",", "X,Y in pixels"));
   command.add_option("--known", known, "A place of known direction: azimuth from the sun, to the right, and elevation")
       ->type_name("X,Y=AZ,EL")
+      ->allow_extra_args(false)
       ->check(pattern(",=,", "X,Y=AZIMUTH,ELEVATION, pixels and degrees"));
   angle("--azimuth", azimuth, "Azimuth of the optical axis from the sun, where that is known itself", -360.0, 360.0);
   angle("--elevation", elevation, "Elevation of the optical axis", -90.0, 90.0);

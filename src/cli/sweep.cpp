@@ -9,6 +9,7 @@
 #include "cli/sweep_frames.h"
 #include "cli/tally_run.h"
 #include "cli/text_output.h"
+#include "cli/view_options.h"
 #include "recon/threads.h"
 #include "view/contact_sheet.h"
 
@@ -29,15 +30,26 @@ struct SweepOptions {
   bool product = false;
 };
 
+/// Throws std::invalid_argument for a key that is no single number or has a value for all frames, too.
+void requireSweepable(const std::string& key, const RunOptions& run) {
+  for (const char* list : {"camera.resolution", "camera.distortion"})
+    if (key == list)
+      throw std::invalid_argument(key + " is no single number; a sweep changes single numbers, for one " + key + ".0");
+  // What these options say would win over every frame's own value.
+  bool fixed = (key == "trace.rays" && !run.rays.empty()) || (key == "trace.seed" && !run.seed.empty()) ||
+               (key.starts_with("camera.resolution.") && !run.resolution.empty());
+  for (const std::string& said : run.overrides) {
+    const std::string other = said.substr(0, said.find('='));
+    fixed = fixed || other.substr(0, other.find_last_not_of(' ') + 1) == key;
+  }
+  if (fixed) throw std::invalid_argument(key + " is swept: it cannot have one value for all frames, too");
+}
+
 std::vector<std::vector<std::string>> valuesOf(const SweepOptions& options) {
   try {
     std::vector<KeyRange> ranges;
     for (const std::string& key : options.keys) ranges.push_back(parseKeyRange(key));
-    // What these options say would win over every frame's own value.
-    for (const auto& [key, option] : {std::pair{"trace.rays", &options.run.rays}, {"trace.seed", &options.run.seed}})
-      for (const KeyRange& range : ranges)
-        if (range.key == key && !option->empty())
-          throw std::invalid_argument(range.key + " is swept: it cannot have one value for all frames, too");
+    for (const KeyRange& range : ranges) requireSweepable(range.key, options.run);
     return sweepFrames(ranges, options.product);
   } catch (const std::invalid_argument& error) {
     throw CLI::ValidationError("sweep", error.what());
@@ -153,6 +165,16 @@ bool writePreviews(const SweepOptions& options, const std::vector<SweepFrame>& f
   return true;
 }
 
+/// Says what lies there now.
+void reportWritten(const SweepOptions& options, const std::vector<SweepFrame>& frames) {
+  const std::size_t count = frames.size();
+  std::string text = "wrote " + std::to_string(count) + (count == 1 ? " frame, " : " frames, ");
+  text += frames.front().exr.string();
+  if (count > 1) text += " to " + frames.back().exr.string();
+  if (!options.contactSheet.empty()) text += ", and " + options.contactSheet;
+  std::fprintf(stderr, "%s\n", text.c_str());
+}
+
 int runSweep(const SweepOptions& options) {
   const FrameNames names(options.output);
   const std::vector<std::vector<std::string>> values = valuesOf(options);
@@ -160,13 +182,12 @@ int runSweep(const SweepOptions& options) {
   requireOutputsOf(options, frames);
   if (!options.run.quiet) reportPlan(frames);
   const StopSignal stop;
-  if (renderFrames(options.run, frames, stop) && writePreviews(options, frames, stop)) return kDone;
+  if (renderFrames(options.run, frames, stop) && writePreviews(options, frames, stop)) {
+    if (!options.run.quiet) reportWritten(options, frames);
+    return kDone;
+  }
   std::fprintf(stderr, "interrupted: finished frames stay, the same command goes on from them\n");
   return kInterrupted;
-}
-
-std::string validPng(const std::string& text) {
-  return text.ends_with(".png") ? "" : "expected the name of a .png file, not '" + text + "'";
 }
 
 void addOptions(CLI::App& command, SweepOptions& options) {
@@ -194,7 +215,7 @@ void addOptions(CLI::App& command, SweepOptions& options) {
       ->check(number(-100.0, 100.0));
   command.add_option("--contact-sheet", options.contactSheet, "All frames small on one picture, with their values")
       ->type_name("FILE.png")
-      ->check(CLI::Validator(validPng, ""));
+      ->check(fileOfKind({".png"}, ".png"));
 }
 
 }  // namespace

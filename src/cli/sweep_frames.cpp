@@ -5,6 +5,7 @@
 
 #include "cli/tally_run.h"
 #include "image/exr.h"
+#include "image/photograph.h"
 
 namespace parhelion::cli {
 
@@ -28,7 +29,22 @@ ExrAttributes pictureAttributes(const std::filesystem::path& exr) {
   }
   if (!attributes.contains("parhelion:scene")) refuseFile(exr.string() + ": holds no scene");
   if (attributes.contains("parhelion:tally")) refuseFile(exr.string() + ": is a tally");
+  if (attributes.contains("parhelion:strength")) refuseFile(exr.string() + ": is a photograph with a halo in it");
   return attributes;
+}
+
+/// Throws if something is in the place of a preview that is none, such as a user's own picture.
+void requirePreview(const std::filesystem::path& png) {
+  if (!std::filesystem::is_regular_file(png)) return;
+  std::map<std::string, std::string> text;
+  try {
+    text = readPhotograph(png, {true}).text;
+  } catch (const std::runtime_error& error) {
+    refuseFile(error.what());
+  }
+  // Of our pictures only previews say at which exposure they were developed.
+  if (!text["Software"].starts_with("parhelion") || !text.contains("Exposure"))
+    refuseFile(png.string() + ": is no preview of parhelion");
 }
 
 /// Why the file is not the picture of the scene with all its rays; empty if it is.
@@ -95,7 +111,10 @@ std::vector<SweepFrame> planFrames(const RunOptions& run, std::span<const std::v
     one.overrides.insert(one.overrides.end(), overrides.begin(), overrides.end());
     frames.push_back({overrides, one.load(), names(first + frames.size()), {}});
   }
-  for (SweepFrame& frame : frames) frame.lacks = lackOf(frame.exr, frame.loaded);
+  for (SweepFrame& frame : frames) {
+    frame.lacks = lackOf(frame.exr, frame.loaded);
+    requirePreview(frame.png());
+  }
   return frames;
 }
 

@@ -40,7 +40,7 @@ struct SweepFrame {
 
 /// The frames in order, numbered from `first`, each with its scene validated, and its file looked at if there is one.
 /// Throws SceneError for the first scene that cannot be used, and std::runtime_error for a file in the place of a frame
-/// that no render has written: it must not be written over.
+/// or its preview that no render has written: it must not be written over.
 std::vector<SweepFrame> planFrames(const RunOptions& run, std::span<const std::vector<std::string>> values,
                                    const FrameNames& names, std::size_t first);
 

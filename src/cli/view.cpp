@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <stdexcept>
@@ -6,6 +7,7 @@
 
 #include "cli/commands.h"
 #include "cli/text_output.h"
+#include "cli/view_difference.h"
 #include "cli/view_input.h"
 #include "cli/view_options.h"
 #include "cli/view_profile.h"
@@ -21,7 +23,8 @@ namespace parhelion::cli {
 
 namespace {
 
-constexpr double kEyesWavelength = 550.0;  // nm, for which halos are placed
+constexpr double kEyesWavelength = 550.0;      // nm, for which halos are placed
+constexpr std::uint8_t kDotsUnderLines = 153;  // sRGB grey of 60 %, on which lines and letters can be read
 
 /// A view in the making, and what there is to say of it.
 struct View {
@@ -38,10 +41,25 @@ std::string text(const char* format, double a, double b = 0.0) {
 /// The camera of a picture: as the options say, by the scene in it, or, of a second picture that has none, the first's.
 PhotoCamera cameraOf(const ViewInput& input, const PhotoOptions& options, const PhotoCamera* first = nullptr) {
   const std::optional<std::string> scene = input.scene();
-  if (first && !scene) return *first;
+  if (first && !scene) {
+    const CameraSettings& camera = first->camera;
+    if (input.photograph.width != camera.width || input.photograph.height != camera.height)
+      throw CLI::ValidationError(
+          "--beside", input.path + " has no scene in it and is " +
+                          sizeText(input.photograph.width, input.photograph.height) + ", the first picture " +
+                          sizeText(camera.width, camera.height) +
+                          ": the one camera cannot be that of both; give a picture of that size, or view each alone");
+    return *first;
+  }
   std::optional<double> sunElevation;
   if (scene && !first) sunElevation = parseScene(*scene, "the scene in " + input.path).scene.sun.elevation;
-  return (first ? PhotoOptions{} : options).camera(input.photograph, input.path, sunElevation);
+  try {
+    return (first ? PhotoOptions{} : options).camera(input.photograph, input.path, sunElevation);
+  } catch (const CLI::ValidationError& error) {
+    if (first || !scene || !options.given()) throw;
+    throw CLI::ValidationError(std::string(error.what()) +
+                               "; the scene in the picture has its camera, which goes without camera options");
+  }
 }
 
 /// Lines and letters for what a picture shows.
@@ -52,22 +70,30 @@ Layer linesOver(const ViewInput& input, const PhotoCamera& camera, const ViewOpt
                      options.overlaySettings());
 }
 
+ColourDifference maskedRedMinusBlue(Display picture, const ViewOptions& options) {
+  if (options.mask.empty()) return redMinusBlue(std::move(picture), options.gain);
+  const std::vector<std::uint8_t> sky = readMaskFor(options.mask, picture.width, picture.height);
+  try {
+    return redMinusBlue(std::move(picture), options.gain, sky);
+  } catch (const std::invalid_argument& error) {
+    throw std::runtime_error(options.mask + ": " + error.what());
+  }
+}
+
 View filtered(const ViewInput& input, const ViewOptions& options) {
   View view;
   if (options.dots) {
     if (!input.tally)
       throw CLI::ValidationError("--dots",
                                  input.path + " holds no hits; parhelion trace SCENE -o hits.exr makes such a file");
-    view.picture = dots(*input.tally, options.dotSize);
+    view.picture = dots(*input.tally, options.dotSize, options.drawsLines() ? kDotsUnderLines : 0);
     return view;
   }
   Shown shown = show(input, options.exposure);
   if (shown.exposure) view.remarks.push_back(text("exposure %+.2f stops", *shown.exposure));
   if (!options.unsharp.empty()) unsharp(shown.display, options.unsharpSettings());
   if (options.redMinusBlue) {
-    std::vector<std::uint8_t> sky;
-    if (!options.mask.empty()) sky = readMaskFor(options.mask, shown.display.width, shown.display.height);
-    ColourDifference difference = redMinusBlue(std::move(shown.display), options.gain, sky);
+    ColourDifference difference = maskedRedMinusBlue(std::move(shown.display), options);
     view.remarks.push_back(text("gain %.4g about %.4g", difference.gain, difference.centre));
     shown.display = std::move(difference.picture);
   }
@@ -75,8 +101,22 @@ View filtered(const ViewInput& input, const ViewOptions& options) {
   return view;
 }
 
+/// Light is taken off pixel by pixel: throws if the pictures say that their pixels show different parts of the sky.
+void requireOneSky(const ViewInput& one, const ViewInput& other) {
+  if (!one.scene() || !other.scene()) return;
+  const std::vector<std::string> differ =
+      differencesOfView(parseScene(*one.scene(), "the scene in " + one.path).scene,
+                        parseScene(*other.scene(), "the scene in " + other.path).scene);
+  if (differ.empty()) return;
+  std::string all;
+  for (const std::string& difference : differ) all += (all.empty() ? "" : ", ") + difference;
+  throw CLI::ValidationError("--minus", one.path + " and " + other.path + " differ in " + all +
+                                            ": their pixels show different parts of the sky");
+}
+
 /// One of the two kinds of light has a unit, the other has white: only the user knows how they compare.
 View difference(const ViewInput& one, const ViewInput& other, const ViewOptions& options) {
+  requireOneSky(one, other);
   if (one.light.has_value() != other.light.has_value() && !options.exposure)
     throw CLI::ValidationError("--minus", "between a photograph and linear light give --exposure for the latter");
   const auto light = [&](const ViewInput& input) {
@@ -121,11 +161,13 @@ void writeView(View view, const ViewInput& input, const ViewOptions& options) {
   for (const std::string& remark : view.remarks) std::fprintf(stderr, "%s\n", remark.c_str());
 }
 
-/// Reads the second picture, if there is one.
+/// Reads the second picture, if there is one. Throws for options that have no meaning for what is in the files.
 std::vector<ViewInput> readPictures(const ViewOptions& options) {
   std::vector<ViewInput> pictures{readViewInput(options.input, options.photo.rules())};
   for (const std::string& other : options.beside) pictures.push_back(readViewInput(other, options.photo.rules()));
   if (!options.minus.empty()) pictures.push_back(readViewInput(options.minus, options.photo.rules()));
+  if (options.exposure && std::none_of(pictures.begin(), pictures.end(), [](const auto& p) { return p.light; }))
+    throw CLI::ValidationError("--exposure", "is for linear light; " + options.input + " has been developed already");
   return pictures;
 }
 
@@ -149,14 +191,15 @@ void profileView(std::vector<ViewInput> pictures, const ViewOptions& options) {
 
 /// The views of the pictures with their lines; writes the lines' layer where that is asked for.
 std::vector<View> pictureViews(const std::vector<ViewInput>& pictures, const ViewOptions& options) {
+  // First what may be missing of the cameras, then the work.
+  std::vector<PhotoCamera> cameras;
+  if (options.drawsLines()) cameras = camerasOf(pictures, options);
   std::vector<View> views;
   if (options.minus.empty())
     for (const ViewInput& picture : pictures) views.push_back(filtered(picture, options));
   else
     views.push_back(difference(pictures[0], pictures[1], options));
-  if (!options.drawsLines()) return views;
-  const std::vector<PhotoCamera> cameras = camerasOf(pictures, options);
-  for (std::size_t i = 0; i < views.size(); ++i) {
+  for (std::size_t i = 0; i < views.size() && options.drawsLines(); ++i) {
     const Layer lines = linesOver(pictures[i], cameras[i], options);
     if (!options.layer.empty()) writeLayer(options.layer, lines, {{"Software", "parhelion " PARHELION_VERSION}});
     layOver(views[i].picture, lines);

@@ -20,6 +20,10 @@ void requireColours(const std::string& path, const Image& image) {
 
 }  // namespace
 
+std::string sizeText(int width, int height) {
+  return std::to_string(width) + " x " + std::to_string(height) + " pixels";
+}
+
 std::optional<std::string> ViewInput::scene() const {
   const auto found = photograph.text.find(kSceneKey);
   return found == photograph.text.end() ? std::nullopt : std::optional(found->second);
@@ -59,7 +63,8 @@ Image lightOf(ViewInput input) { return input.light ? std::move(*input.light) : 
 std::vector<std::uint8_t> readMaskFor(const std::string& path, int width, int height) {
   SkyMask mask = readSkyMask(path);
   if (mask.width != width || mask.height != height)
-    throw std::runtime_error(path + ": the mask has another size than the picture");
+    throw std::runtime_error(path + ": the mask is " + sizeText(mask.width, mask.height) + ", the picture " +
+                             sizeText(width, height));
   return std::move(mask.sky);
 }
 

@@ -26,6 +26,9 @@ struct ViewInput {
   std::optional<std::string> scene() const;
 };
 
+/// "96 x 64 pixels", for messages.
+std::string sizeText(int width, int height);
+
 /// Reads a photograph, a sky or a tally, told apart by what is in the file. Throws std::runtime_error "path: reason".
 ViewInput readViewInput(const std::string& path, const PhotographRules& rules);
 

@@ -45,16 +45,6 @@ std::string validUnsharp(const std::string& text) {
   return good ? "" : "expected AMOUNT,RADIUS, for one 3,20 (radius 0.1 to 4096 pixels), not '" + text + "'";
 }
 
-CLI::Validator fileOfKind(std::vector<std::string> extensions, std::string expected) {
-  return CLI::Validator(
-      [=](const std::string& text) -> std::string {
-        for (const std::string& extension : extensions)
-          if (text.ends_with(extension)) return {};
-        return "expected the name of a " + expected + " file, not '" + text + "'";
-      },
-      "");
-}
-
 void refuse(bool mistake, const char* option, const char* reason) {
   if (mistake) throw CLI::ValidationError(option, reason);
 }
@@ -118,12 +108,29 @@ void addProfile(CLI::App& command, ViewOptions& o) {
   command.add_option("--chart", o.chart, "Draw the profile, too")
       ->type_name("FILE")
       ->check(fileOfKind({".svg", ".png"}, ".svg or .png"));
-  command.add_option("--bin", o.bin, "Width of the profile's bins")->type_name("DEG")->check(number(1e-3, 180.0));
-  command.add_option("--from", o.from, "Where the profile begins")->type_name("DEG")->check(number(0.0, 180.0));
-  command.add_option("--to", o.to, "Where the profile ends")->type_name("DEG")->check(number(0.0, 180.0));
+  command.add_option("--bin", o.bin, "Width of the profile's bins; 0.25 when left out")
+      ->type_name("DEG")
+      ->check(number(1e-3, 180.0));
+  command.add_option("--from", o.from, "Where the profile begins; 0 when left out")
+      ->type_name("DEG")
+      ->check(number(0.0, 180.0));
+  command.add_option("--to", o.to, "Where the profile ends; 60 when left out")
+      ->type_name("DEG")
+      ->check(number(0.0, 180.0));
 }
 
 }  // namespace
+
+CLI::Validator fileOfKind(std::vector<std::string> extensions, std::string expected) {
+  return CLI::Validator(
+      [=](const std::string& text) -> std::string {
+        const std::string small = CLI::detail::to_lower(text);
+        for (const std::string& extension : extensions)
+          if (small.ends_with(extension)) return {};
+        return "expected the name of a " + expected + " file, not '" + text + "'";
+      },
+      "");
+}
 
 void ViewOptions::addTo(CLI::App& command) {
   command.add_option("input", input, "A photograph, a picture of render or recon, or a tally of trace")
@@ -145,23 +152,25 @@ void ViewOptions::requireSense() const {
   refuse(kinds > 1, "view", "--unsharp, --red-minus-blue, --dots, --minus and --profile are views of their own");
   refuse(!beside.empty() && !minus.empty(), "--minus", "is a view of its own and cannot stand beside another picture");
   refuse(profiles && (drawsLines() || !output.empty()), "--profile", "is a table; -o and lines are for pictures");
+  refuse(!chart.empty() && !profiles, "--chart", "needs --profile");
+  refuse((from || to || bin) && !profiles, from ? "--from" : to ? "--to" : "--bin", "needs --profile");
   refuse(output.empty() && layer.empty() && !profiles, "view", "nothing to write: give -o, --layer or --profile");
   refuse(profiles && beside.size() > 1, "--beside", "a profile stands beside one other");
   refuse(reduction != 1 && output.empty(), "--reduce", "needs -o");
   refuse(!layer.empty() && !drawsLines(), "--layer", "no lines were asked for: give --overlay, --grid or the like");
   refuse(!layer.empty() && !beside.empty(), "--layer",
          "the lines of two pictures are not one layer; leave --beside out");
-  refuse(profiles && !(from < to), "--from", "must be less than --to");
-  refuse(!chart.empty() && !profiles, "--chart", "needs --profile");
+  refuse(profileSettings().from >= profileSettings().to, "--from", "must be less than --to");
   refuse(gain && !redMinusBlue && minus.empty(), "--gain", "needs --red-minus-blue or --minus");
   refuse(dotSize != 1 && !dots, "--dot-size", "needs --dots");
   refuse(!mask.empty() && !profiles && !redMinusBlue, "--mask", "needs --profile or --red-minus-blue");
   refuse(exposure && (profiles || dots), "--exposure", "has no meaning for --profile and --dots");
+  refuse(labels && !drawsLines(), "--labels", "no lines were asked for: give --overlay, --grid or the like");
+  refuse((photo.given() || photo.sunElevation) && !needsCamera(), "view",
+         "the camera and the sun's elevation have no effect without lines or --profile");
 }
 
-bool ViewOptions::drawsLines() const {
-  return overlay || grid || !circles.empty() || horizonLine || zenith || halos || labels;
-}
+bool ViewOptions::drawsLines() const { return overlay || grid || !circles.empty() || horizonLine || zenith || halos; }
 
 OverlaySettings ViewOptions::overlaySettings() const {
   OverlaySettings settings;
@@ -180,6 +189,12 @@ UnsharpSettings ViewOptions::unsharpSettings() const {
   return {pair[0], pair[1]};
 }
 
-SkyProfileSettings ViewOptions::profileSettings() const { return {radians(from), radians(to), radians(bin)}; }
+SkyProfileSettings ViewOptions::profileSettings() const {
+  SkyProfileSettings settings;
+  if (from) settings.from = radians(*from);
+  if (to) settings.to = radians(*to);
+  if (bin) settings.bin = radians(*bin);
+  return settings;
+}
 
 }  // namespace parhelion::cli

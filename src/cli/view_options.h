@@ -14,6 +14,9 @@
 
 namespace parhelion::cli {
 
+/// Check for CLI11's options: a file name with one of the extensions (".png"), in small or capital letters.
+CLI::Validator fileOfKind(std::vector<std::string> extensions, std::string expected);
+
 /// What a user says on the command line of `view`.
 struct ViewOptions {
   std::string input, output, layer, mask;
@@ -34,7 +37,7 @@ struct ViewOptions {
 
   // The profile; angles in degrees.
   std::string profile, chart;
-  double from = 0.0, to = 60.0, bin = 0.25;
+  std::optional<double> from, to, bin;
 
   void addTo(CLI::App& command);
 
@@ -42,6 +45,7 @@ struct ViewOptions {
   void requireSense() const;
 
   bool drawsLines() const;
+  bool needsCamera() const { return drawsLines() || !profile.empty(); }
   OverlaySettings overlaySettings() const;
   UnsharpSettings unsharpSettings() const;
   SkyProfileSettings profileSettings() const;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <stdexcept>
 
 #include "cli/text_output.h"
 #include "math/rotation.h"
@@ -51,6 +52,15 @@ ChartCurve curveOf(const Profile& profile, const std::string& path) {
   return curve;
 }
 
+/// Throws if there is nothing to show.
+void requireSky(const Profile& profile, const std::string& path) {
+  if (std::any_of(profile.begin(), profile.end(), [](const SkyProfileBin& bin) { return bin.pixels > 0; })) return;
+  char text[100];
+  std::snprintf(text, sizeof text, ": no pixel of sky between %g and %g degrees from the sun",
+                tableDegrees(profile.front().from), tableDegrees(profile.back().to));
+  throw std::runtime_error(path + text);
+}
+
 }  // namespace
 
 void writeProfile(const ViewOptions& options, std::vector<Observed> pictures, const std::vector<std::uint8_t>& mask) {
@@ -67,11 +77,13 @@ void writeProfile(const ViewOptions& options, std::vector<Observed> pictures, co
     const Vec3 toSun = skyDirection(0.0, pictures[i].camera.sunElevation);
     const Image light = lightOf(std::move(pictures[i].input));
     profiles.push_back(skyProfile(light, cameras[i], toSun, options.profileSettings(), shares[i]));
+    requireSky(profiles.back(), path);
     curves.push_back(curveOf(profiles.back(), path));
   }
+  // The chart first: gnuplot may be missing, and then there is to be no table either.
+  if (!options.chart.empty())
+    drawChart(options.chart, {"angle from the sun, degrees", "luminance, share of the greatest"}, curves);
   writeText(options.profile, csv(profiles));
-  if (options.chart.empty()) return;
-  drawChart(options.chart, {"angle from the sun, degrees", "luminance, share of the greatest"}, curves);
 }
 
 }  // namespace parhelion::cli

@@ -5,7 +5,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <cerrno>
 #include <cstdio>
 #include <memory>
@@ -111,8 +113,12 @@ std::string gnuplot(const std::string& commands) {
 }  // namespace
 
 void drawChart(const std::filesystem::path& path, const ChartAxes& axes, std::span<const ChartCurve> curves) {
+  if (std::all_of(curves.begin(), curves.end(), [](const ChartCurve& curve) { return curve.points.empty(); }))
+    throw std::invalid_argument("a chart needs a point at least");
+  std::string extension = path.extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   AtomicFile file(path);
-  file.write(gnuplot(script(path.extension().string(), axes, curves)));
+  file.write(gnuplot(script(extension, axes, curves)));
   file.commit();
 }
 

@@ -21,7 +21,7 @@ struct ChartAxes {
 
 /// Draws curves as .svg or .png, by the name's extension, with the program gnuplot. In one piece or not at all
 /// (atomic_file.h). Throws std::runtime_error in one line where gnuplot is not installed or fails, or the file cannot
-/// be written.
+/// be written, std::invalid_argument where no curve has a point.
 void drawChart(const std::filesystem::path& path, const ChartAxes& axes, std::span<const ChartCurve> curves);
 
 }  // namespace parhelion

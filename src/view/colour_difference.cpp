@@ -34,6 +34,8 @@ std::vector<float> countedDifferences(const Display& picture, std::span<const st
 ColourDifference redMinusBlue(Display picture, std::optional<double> gain, std::span<const std::uint8_t> sky) {
   if (!sky.empty() && sky.size() != picture.pixels())
     throw std::invalid_argument("the mask has another size than the picture");
+  if (!sky.empty() && std::all_of(sky.begin(), sky.end(), [](std::uint8_t share) { return share < kCountsAsSky; }))
+    throw std::invalid_argument("the mask shows no sky");
   std::vector<float> counted = countedDifferences(picture, sky);
   ColourDifference result{std::move(picture), 0.0, gain.value_or(0.0)};
   if (!counted.empty()) {

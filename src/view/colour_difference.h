@@ -22,7 +22,8 @@ struct ColourDifference {
 /// clouds, which have none. The median over the sky is mid-grey, redder is lighter. Where `gain` is left out, the
 /// difference's percentiles 1 and 99, whichever is farther from the median, come out as black or white; 0 where there
 /// is no difference. `sky`, if not empty, says of each pixel whether it counts (128 and more) for median and
-/// percentiles; black pixels never do. Throws std::invalid_argument if it has another size than the picture.
+/// percentiles; black pixels never do. Throws std::invalid_argument if it has another size than the picture or nothing
+/// counts by it.
 ColourDifference redMinusBlue(Display picture, std::optional<double> gain = std::nullopt,
                               std::span<const std::uint8_t> sky = {});
 

@@ -75,9 +75,12 @@ void paste(Preview& sheet, const Preview& picture, int left, int top) {
   }
 }
 
-/// The text with as much of its beginning cut off as needed: the value stands at its end.
-std::string fitting(const Canvas& canvas, const std::string& text, double size, double width) {
+/// The text with as much of its beginning cut off as needed: the value stands at its end, after a space, and the last
+/// part of the key before it.
+std::string fitting(const Canvas& canvas, std::string text, double size, double width) {
   const auto fits = [&](const std::string& t) { return canvas.textBox(t, size).size().x <= width; };
+  for (std::size_t dot = text.find('.'); !fits(text) && dot < text.find(' '); dot = text.find('.'))
+    text.erase(0, dot + 1);
   if (fits(text)) return text;
   const auto isContinuation = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; };
   std::size_t start = 1;

@@ -21,7 +21,7 @@ std::vector<std::pair<int, int>> brush(int size) {
 
 }  // namespace
 
-Preview dots(const Tally& tally, int size) {
+Preview dots(const Tally& tally, int size, std::uint8_t ink) {
   if (size < 1 || size > kMaxDotSize) throw std::invalid_argument("a dot has 1 to 64 pixels across");
   const int width = tally.width(), height = tally.height();
   Preview page{width, height, std::vector<std::uint8_t>(3 * static_cast<std::size_t>(tally.pixels()), 255), 0};
@@ -31,7 +31,7 @@ Preview dots(const Tally& tally, int size) {
     for (const auto& [dx, dy] : offsets) {
       const int x = pixel % width + dx, y = pixel / width + dy;
       if (x < 0 || x >= width || y < 0 || y >= height) continue;
-      std::fill_n(page.rgb.begin() + 3 * (static_cast<std::ptrdiff_t>(y) * width + x), 3, std::uint8_t{0});
+      std::fill_n(page.rgb.begin() + 3 * (static_cast<std::ptrdiff_t>(y) * width + x), 3, ink);
     }
   }
   return page;

@@ -5,6 +5,7 @@
 #include <set>
 #include <vector>
 
+#include "image/photograph.h"
 #include "shell.h"
 
 using namespace parhelion::test;
@@ -143,8 +144,13 @@ TEST_CASE("a sweep writes over nothing but pictures of parhelion, and looks befo
   REQUIRE(
       run(folder, "parhelion map s.toml -o map.exr --step 10 --quiet && parhelion trace s.toml -o tally.exr --quiet")
           .exit == 0);
+  REQUIRE(run(folder,
+              "parhelion render s.toml -o halo.exr --quiet && parhelion composite halo.png --halo halo.exr "
+              "--projection fisheye-equal-area --fov-horizontal 180 --azimuth 0 --elevation 90 --all-sky --strength 1 "
+              "-o composite.exr --quiet")
+              .exit == 0);
   writeFile(folder / "text", "my diary");
-  for (const std::string mine : {"text", "tally.exr", "map.exr"}) {
+  for (const std::string mine : {"text", "tally.exr", "map.exr", "composite.exr"}) {
     const std::string before = readFile(folder / mine);
     std::filesystem::copy_file(folder / mine, folder / "f_2.exr", std::filesystem::copy_options::overwrite_existing);
     const Outcome outcome = run(folder, "parhelion sweep s.toml sun.elevation=1:3:1 -o f_%d.exr");
@@ -154,6 +160,42 @@ TEST_CASE("a sweep writes over nothing but pictures of parhelion, and looks befo
     CHECK_FALSE(std::filesystem::exists(folder / "f_0.exr"));
     CHECK(readFile(folder / "f_2.exr") == before);
   }
+}
+
+TEST_CASE("a picture in the place of a preview that is none is not written over, nothing is rendered") {
+  WithScene folder;
+  REQUIRE(
+      run(folder, "parhelion render s.toml -o halo.exr --quiet && parhelion view halo.exr -o view.png --quiet").exit ==
+      0);
+  writeFile(folder / "text", "my diary");
+  // A picture without a word in it.
+  parhelion::Photograph picture;
+  picture.width = picture.height = 4;
+  picture.samples = std::vector<std::uint8_t>(48, 100);
+  parhelion::writePhotograph(folder / "own.png", picture, {});
+  const std::string sweep = "parhelion sweep s.toml sun.elevation=1:3:1 -o f_%d.exr --rays 1k";
+  for (const std::string mine : {"text", "own.png", "view.png"}) {
+    const std::string before = readFile(folder / mine);
+    std::filesystem::copy_file(folder / mine, folder / "f_1.png", std::filesystem::copy_options::overwrite_existing);
+    const Outcome outcome = run(folder, sweep);
+    CHECK(outcome.exit == 1);
+    CHECK_MESSAGE(outcome.err.find("writes over nothing but pictures") != std::string::npos, outcome.err);
+    CHECK(lines(outcome.err) == 1);
+    CHECK_FALSE(std::filesystem::exists(folder / "f_0.exr"));
+    CHECK(readFile(folder / "f_1.png") == before);
+  }
+  std::filesystem::copy_file(folder / "halo.png", folder / "f_1.png",
+                             std::filesystem::copy_options::overwrite_existing);
+  CHECK(run(folder, sweep).exit == 0);
+}
+
+TEST_CASE("at the end a sweep says what it has written") {
+  WithScene folder;
+  const std::string sweep = "parhelion sweep s.toml --rays 1k sun.elevation=";
+  CHECK(run(folder, sweep + "1:3:1 -o f_%d.exr").err.ends_with("\nwrote 3 frames, f_0.exr to f_2.exr\n"));
+  CHECK(run(folder, sweep + "1:3:1 -o f_%d.exr --contact-sheet ALL.PNG")
+            .err.ends_with("\nwrote 3 frames, f_0.exr to f_2.exr, and ALL.PNG\n"));
+  CHECK(run(folder, sweep + "1 -o f_%d.exr").err.ends_with("\nwrote 1 frame, f_0.exr\n"));
 }
 
 TEST_CASE("all previews have one exposure: as told, or the median of what the frames would choose") {
@@ -220,6 +262,9 @@ TEST_CASE("mistakes of a sweep are told before anything is rendered") {
       {"sun.elevation=low,high -o f_%d.exr", "'low' is not a number"},
       {"sun.elevation=1:2:1 sun.elevation=1:2:1 -o f_%d.exr", "given twice"},
       {"trace.rays=1000:2000:1000 --rays 5k -o f_%d.exr", "trace.rays is swept"},
+      {"camera.resolution=10,20 -o f_%d.exr", "camera.resolution is no single number"},
+      {"camera.resolution.0=10,20 -o f_%d.exr --resolution 5x5", "camera.resolution.0 is swept"},
+      {"sun.elevation=1:2:1 -o f_%d.exr -D sun.elevation=3", "sun.elevation is swept"},
       {"sun.elevation=1:2:1 -o f_%d.exr --contact-sheet f_1.png", "written over"},
       {"sun.elevation=1:2:1 -o f_%d.exr --contact-sheet all.exr", "name of a .png"},
       {"sun.elevation=1:2:1 -o f_%d.exr --first -1", "--first"},

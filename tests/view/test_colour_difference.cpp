@@ -54,6 +54,7 @@ TEST_CASE("a few odd pixels do not change the stretch, nor does what is not sky 
   const Display frame = display(100, 200, [&](int c, int x, int y) { return y < 100 ? sky(c, x, y) : 0.0; });
   CHECK(redMinusBlue(frame).gain == doctest::Approx(gain));
   CHECK_THROWS_AS(redMinusBlue(landscape, 1.0, std::vector<std::uint8_t>(7)), std::invalid_argument);
+  CHECK_THROWS_AS(redMinusBlue(landscape, 1.0, std::vector<std::uint8_t>(100 * 200, 127)), std::invalid_argument);
 }
 
 TEST_CASE("red minus blue of a black picture is mid-grey") {

@@ -128,6 +128,22 @@ TEST_CASE("every picture has its text under it, inside its own column") {
   }
 }
 
+TEST_CASE("a key too long for its picture loses whole parts from the left before letters, and only then") {
+  const SheetLayout layout{1, 1, 110, 10, 36};
+  const auto sheet = [&](const std::string& label, int width) {
+    SheetLayout narrow = layout;
+    narrow.pictureWidth = width;
+    // The second line keeps the letters of all sheets at their smallest.
+    const SheetCell cell{grey(10, 10, 0.0F), {label, std::string(100, 'm')}};
+    return contactSheet(narrow, {&cell, 1}, 0.0).rgb;
+  };
+  CHECK(sheet("population.plates.aspect 0.1", 110) == sheet("plates.aspect 0.1", 110));
+  CHECK(sheet("population.plates.aspect 0.1", 70) == sheet("aspect 0.1", 70));
+  CHECK(sheet("population.plates.aspect 0.1", 30) == sheet("aspect 0.1", 30));
+  CHECK(sheet("population.plates.aspect 0.1", 300) != sheet("plates.aspect 0.1", 300));
+  CHECK(sheet("plates.aspect 0.1", 110) != sheet("aspect 0.1", 110));
+}
+
 TEST_CASE("one exposure serves all pictures of a sheet, and brighter frames come out brighter") {
   const SheetLayout layout = layOutSheet(2, 8, 8, 0);
   const std::vector<SheetCell> cells{{grey(8, 8, 0.25F), {}}, {grey(8, 8, 0.5F), {}}};

@@ -57,6 +57,14 @@ TEST_CASE("dots are round and about their pixel, and end at the border") {
   CHECK(blackPixels(dots(corner, 3)) == 4);
 }
 
+TEST_CASE("dots of another ink are where the black ones are") {
+  Tally tally = emptyTally(16, 16);
+  tally.add(16 * 8 + 8, {0.0, 1.0, 0.0}, true);
+  Preview black = dots(tally, 3);
+  for (std::uint8_t& value : black.rgb) value = value == 0 ? 153 : value;
+  CHECK(dots(tally, 3, 153).rgb == black.rgb);
+}
+
 TEST_CASE("a dot of no size is refused") {
   const Tally tally = emptyTally(4, 4);
   CHECK_THROWS_AS(dots(tally, 0), std::invalid_argument);
