@@ -6,8 +6,6 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <optional>
-#include <random>
 #include <vector>
 
 #include "image/camera.h"
