@@ -59,7 +59,7 @@ SincBank::SincBank(const Grid<int>& radii, const PictureShape& shape, double lob
   for (int& index : index_) {
     if (index == 0) index = count++;
   }
-  kernels_.assign(static_cast<std::size_t>(count), SincKernel(0.0, lobes, gain, false, false));
+  kernels_.resize(static_cast<std::size_t>(count), SincKernel(0.0, lobes, gain, false, false));
   tbb::parallel_for(std::size_t{0}, index_.size(), [&](std::size_t s) {
     if (index_[s] < 0) return;
     kernels_[static_cast<std::size_t>(index_[s])] =
