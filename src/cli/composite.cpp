@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <cctype>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -8,6 +7,7 @@
 #include "cli/commands.h"
 #include "cli/halo_source.h"
 #include "cli/photo_options.h"
+#include "cli/tally_run.h"
 #include "cli/text_output.h"
 #include "image/colour_space.h"
 #include "image/jpeg_patch.h"
@@ -59,20 +59,6 @@ std::optional<Vec3> colour(const std::string& text) {
 std::string validWhite(const std::string& text) {
   if (text == "sun" || text == "sky" || colour(text)) return {};
   return "expected sun, sky or R,G,B (positive numbers), not '" + text + "'";
-}
-
-/// "jpg" of "a/B.JPG".
-std::string kindOf(const std::filesystem::path& path) {
-  std::string kind = path.extension().string();
-  for (char& c : kind) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return kind.empty() ? kind : kind.substr(1);
-}
-
-std::string validPicture(const std::string& text) {
-  for (const char* known : {"png", "jpg", "jpeg", "exr"}) {
-    if (kindOf(text) == known) return {};
-  }
-  return "expected a file name ending in .png, .jpg or .exr, not '" + text + "'";
 }
 
 void requireSense(const CompositeOptions& options) {
@@ -151,13 +137,13 @@ void writeLayers(const CompositeOptions& options, const Photograph& photograph, 
 CompositeReport writeComposite(const CompositeOptions& options, Photograph& photograph, const AddedHalo& added,
                                const PhotoCamera& camera, const std::map<std::string, std::string>& text) {
   const std::filesystem::path out = options.output;
-  const std::string kind = kindOf(out);
+  const std::string kind = extensionOf(out);
   const bool codes = !std::holds_alternative<std::vector<float>>(photograph.samples);
   const Envmap envmap = envmapOf(Camera(camera.camera));
-  if (kind == "exr" && codes) writePhotograph(out, linearSum(photograph, added), text, envmap);
+  if (kind == ".exr" && codes) writePhotograph(out, linearSum(photograph, added), text, envmap);
   const CompositeReport done = addHalo(photograph, added);
-  if (kind == "exr" && codes) return done;
-  if (kind != "jpg" && kind != "jpeg") {
+  if (kind == ".exr" && codes) return done;
+  if (kind != ".jpg" && kind != ".jpeg") {
     writePhotograph(out, photograph, text, envmap);
   } else if (!writePatchedJpeg(out, options.photo, photograph)) {
     writePhotograph(out, photograph, text);
@@ -200,7 +186,7 @@ int runComposite(const CompositeOptions& options) {
   char strength[100];
   std::snprintf(strength, sizeof strength, "%.9g %.9g %.9g", added.perRadiance.x, added.perRadiance.y,
                 added.perRadiance.z);
-  text["parhelion:strength"] = strength;
+  text[kStrengthKey] = strength;
   text["Software"] = text["software"];
   return withThreads(threads, [&] {
     if (!options.layers.empty()) writeLayers(options, photograph, added, camera, text);
@@ -220,7 +206,7 @@ void addComposite(CLI::App& app, int& exit) {
   command->add_option("-o,--output", options->output, "The picture to write: .png, .jpg or .exr")
       ->required()
       ->type_name("FILE")
-      ->check(CLI::Validator(validPicture, ""));
+      ->check(fileOfKind({".png", ".jpg", ".jpeg", ".exr"}, ".png, .jpg or .exr"));
   options->halo.addTo(*command);
   command->add_option("--mask", options->mask, "Where the sky is: a PNG, white for sky; found when left out")
       ->type_name("FILE");

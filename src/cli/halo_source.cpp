@@ -22,9 +22,10 @@ std::string sunOverride(double elevation) {
   return text;
 }
 
-LoadedScene sceneIn(const ExrFile& sky, const std::string& path, const std::vector<std::string>& overrides = {}) {
-  const auto scene = sky.attributes.find("parhelion:scene");
-  if (scene == sky.attributes.end())
+LoadedScene sceneIn(const ExrAttributes& attributes, const std::string& path,
+                    const std::vector<std::string>& overrides = {}) {
+  const auto scene = attributes.find(kSceneKey);
+  if (scene == attributes.end())
     throw std::runtime_error(path + ": is no sky rendered by parhelion: it carries no scene that tells its camera");
   return parseScene(scene->second, path, overrides);
 }
@@ -58,7 +59,8 @@ void HaloSource::requireOne() const {
 }
 
 double HaloSource::sunElevation() const {
-  return picture.empty() ? run.load().scene.sun.elevation : sceneIn(readExr(picture), picture).scene.sun.elevation;
+  return picture.empty() ? run.load().scene.sun.elevation
+                         : sceneIn(readExrAttributes(picture), picture).scene.sun.elevation;
 }
 
 HaloSource::Result HaloSource::make(const PhotoCamera& camera, const StopSignal& stop) const {
@@ -82,11 +84,11 @@ HaloSource::Result HaloSource::render(const PhotoCamera& camera, const StopSigna
 
 HaloSource::Result HaloSource::read(const PhotoCamera& camera) const {
   const ExrFile sky = readExr(picture);
-  const LoadedScene loaded = sceneIn(sky, picture);
+  const LoadedScene loaded = sceneIn(sky.attributes, picture);
   if (!sky.image.find("R") || !sky.image.find("G") || !sky.image.find("B"))
     throw std::runtime_error(picture +
                              ": holds hits or channels of its own, no picture; parhelion recon makes one of hits");
-  if (sky.attributes.contains("parhelion:strength"))
+  if (sky.attributes.contains(kStrengthKey))
     throw std::runtime_error(picture +
                              ": is made from a photograph; the sky must be one that render or recon has written");
   const double off = std::abs(loaded.scene.sun.elevation - camera.sunElevation);
@@ -98,7 +100,7 @@ HaloSource::Result HaloSource::read(const PhotoCamera& camera) const {
     throw std::runtime_error(picture + text);
   }
   ExrAttributes attributes = sky.attributes;
-  attributes["parhelion:scene"] = sceneIn(sky, picture, {cameraOverride(camera.camera)}).text;
+  attributes[kSceneKey] = sceneIn(sky.attributes, picture, {cameraOverride(camera.camera)}).text;
   return {HaloLookup(sky.image, loaded.scene.camera, camera.camera), std::move(attributes), kDone};
 }
 

@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "cli/commands.h"
+#include "cli/tally_run.h"
 #include "image/exr.h"
 #include "scene/describe.h"
 #include "scene/parse_scene.h"
@@ -16,8 +17,6 @@ struct InfoOptions {
   std::string file;
   bool sceneOnly = false;
 };
-
-constexpr const char* kSceneAttribute = "parhelion:scene";
 
 void printChannel(const Channel& channel) {
   float least = INFINITY, greatest = -INFINITY;
@@ -33,7 +32,7 @@ void printChannel(const Channel& channel) {
 
 int infoExr(const InfoOptions& options) {
   const ExrFile exr = readExr(options.file);
-  const auto scene = exr.attributes.find(kSceneAttribute);
+  const auto scene = exr.attributes.find(kSceneKey);
   if (options.sceneOnly) {
     if (scene == exr.attributes.end()) throw std::runtime_error(options.file + ": holds no scene");
     std::fputs(scene->second.c_str(), stdout);
@@ -42,7 +41,7 @@ int infoExr(const InfoOptions& options) {
   std::printf("%s: EXR, %d x %d\n", options.file.c_str(), exr.image.width, exr.image.height);
   for (const Channel& channel : exr.image.channels) printChannel(channel);
   for (const auto& [key, value] : exr.attributes)
-    if (key != kSceneAttribute) std::printf("%s: %s\n", key.c_str(), value.c_str());
+    if (key != kSceneKey) std::printf("%s: %s\n", key.c_str(), value.c_str());
   if (scene != exr.attributes.end()) {
     std::printf("made from the scene (print it with --scene):\n");
     std::fputs(describeScene(parseScene(scene->second, options.file).scene).c_str(), stdout);

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "cli/run_options.h"
+#include "cli/tally_run.h"
 #include "image/camera.h"
 #include "math/rotation.h"
 #include "photo/lens_from_exif.h"
@@ -279,7 +280,7 @@ PhotoCamera PhotoOptions::camera(const Photograph& photograph, const std::string
   PhotoCamera found;
   std::optional<double> elevationOfSun = sceneSunElevation;
   if (sunElevation) elevationOfSun = radians(*sunElevation);
-  if (const auto scene = photograph.text.find("parhelion:scene"); !given() && scene != photograph.text.end()) {
+  if (const auto scene = photograph.text.find(kSceneKey); !given() && scene != photograph.text.end()) {
     const Scene carried = parseScene(scene->second, path).scene;
     found.camera = carried.camera;
     found.sunElevation = elevationOfSun.value_or(carried.sun.elevation);

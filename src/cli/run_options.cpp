@@ -65,6 +65,17 @@ CLI::Validator number(double least, double most) {
       "");
 }
 
+CLI::Validator fileOfKind(std::vector<std::string> extensions, std::string expected) {
+  return CLI::Validator(
+      [=](const std::string& text) -> std::string {
+        const std::string small = CLI::detail::to_lower(text);
+        for (const std::string& extension : extensions)
+          if (small.ends_with(extension)) return {};
+        return "expected the name of a " + expected + " file, not '" + text + "'";
+      },
+      "");
+}
+
 CLI::Validator oneOf(std::vector<std::string_view> accepted) {
   return CLI::Validator(
       [accepted](const std::string& text) -> std::string {

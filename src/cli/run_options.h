@@ -49,6 +49,9 @@ void addOverrides(CLI::App& command, std::vector<std::string>& overrides);
 CLI::Validator wholeNumber();  // from 0, as far as a scene file can hold it
 CLI::Validator number(double least, double most);
 
+/// A file name with one of the extensions (".png"), in small or capital letters.
+CLI::Validator fileOfKind(std::vector<std::string> extensions, std::string expected);
+
 CLI::Validator oneOf(std::vector<std::string_view> accepted);
 
 /// One of the names, with a suggestion where it is nearly one.

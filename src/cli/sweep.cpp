@@ -9,7 +9,6 @@
 #include "cli/sweep_frames.h"
 #include "cli/tally_run.h"
 #include "cli/text_output.h"
-#include "cli/view_options.h"
 #include "recon/threads.h"
 #include "view/contact_sheet.h"
 

@@ -27,9 +27,9 @@ ExrAttributes pictureAttributes(const std::filesystem::path& exr) {
   } catch (const std::runtime_error& error) {
     refuseFile(error.what());
   }
-  if (!attributes.contains("parhelion:scene")) refuseFile(exr.string() + ": holds no scene");
+  if (!attributes.contains(kSceneKey)) refuseFile(exr.string() + ": holds no scene");
   if (attributes.contains("parhelion:tally")) refuseFile(exr.string() + ": is a tally");
-  if (attributes.contains("parhelion:strength")) refuseFile(exr.string() + ": is a photograph with a halo in it");
+  if (attributes.contains(kStrengthKey)) refuseFile(exr.string() + ": is a photograph with a halo in it");
   return attributes;
 }
 
@@ -59,7 +59,7 @@ std::string lackOf(const std::filesystem::path& exr, const LoadedScene& loaded) 
   }
   // A map holds the scene, too.
   if (!image.find("R") || !image.find("G") || !image.find("B")) refuseFile(exr.string() + ": is not in colours");
-  for (const char* name : {"parhelion:version", "parhelion:seed", "parhelion:rays", "parhelion:scene"}) {
+  for (const char* name : {"parhelion:version", "parhelion:seed", "parhelion:rays", kSceneKey}) {
     const auto attribute = found.find(name);
     if (attribute == found.end() || attribute->second != wanted.at(name)) return std::string("has another ") + name;
   }

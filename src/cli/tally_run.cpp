@@ -22,7 +22,7 @@ ExrAttributes sceneAttributes(const LoadedScene& loaded, std::uint64_t rays) {
           {"parhelion:version", PARHELION_VERSION},
           {"parhelion:seed", std::to_string(loaded.scene.trace.seed)},
           {"parhelion:rays", std::to_string(rays)},
-          {"parhelion:scene", loaded.text}};
+          {kSceneKey, loaded.text}};
 }
 
 }  // namespace parhelion::cli

@@ -7,6 +7,10 @@
 
 namespace parhelion::cli {
 
+/// Under these our pictures carry the scene they were made from and, photographs with a halo in them, its strength.
+inline constexpr const char* kSceneKey = "parhelion:scene";
+inline constexpr const char* kStrengthKey = "parhelion:strength";
+
 struct TallyRun {
   Tally tally;
   RunResult result;

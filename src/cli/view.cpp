@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "cli/commands.h"
+#include "cli/tally_run.h"
 #include "cli/text_output.h"
 #include "cli/view_difference.h"
 #include "cli/view_input.h"

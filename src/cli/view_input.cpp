@@ -3,6 +3,7 @@
 
 #include <stdexcept>
 
+#include "cli/tally_run.h"
 #include "image/exr.h"
 #include "image/radiance.h"
 #include "image/tally_exr.h"

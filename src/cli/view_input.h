@@ -12,9 +12,6 @@
 
 namespace parhelion::cli {
 
-/// Key under which our pictures carry the scene they were made from.
-inline constexpr const char* kSceneKey = "parhelion:scene";
-
 /// A picture of any kind that can be viewed.
 struct ViewInput {
   std::string path;

@@ -121,17 +121,6 @@ void addProfile(CLI::App& command, ViewOptions& o) {
 
 }  // namespace
 
-CLI::Validator fileOfKind(std::vector<std::string> extensions, std::string expected) {
-  return CLI::Validator(
-      [=](const std::string& text) -> std::string {
-        const std::string small = CLI::detail::to_lower(text);
-        for (const std::string& extension : extensions)
-          if (small.ends_with(extension)) return {};
-        return "expected the name of a " + expected + " file, not '" + text + "'";
-      },
-      "");
-}
-
 void ViewOptions::addTo(CLI::App& command) {
   command.add_option("input", input, "A photograph, a picture of render or recon, or a tally of trace")
       ->required()

@@ -14,9 +14,6 @@
 
 namespace parhelion::cli {
 
-/// Check for CLI11's options: a file name with one of the extensions (".png"), in small or capital letters.
-CLI::Validator fileOfKind(std::vector<std::string> extensions, std::string expected);
-
 /// What a user says on the command line of `view`.
 struct ViewOptions {
   std::string input, output, layer, mask;

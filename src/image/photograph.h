@@ -50,6 +50,9 @@ inline constexpr std::int64_t kMaxPhotographPixels = std::int64_t{1} << 27;
 /// names.
 Photograph readPhotograph(const std::filesystem::path& path, const PhotographRules& rules = {});
 
+/// The extension of a file's name in small letters, with its dot; empty where it has none.
+std::string extensionOf(const std::filesystem::path& path);
+
 /// Writes a picture by the extension of `path`: .png (8 bits, 16 for samples of 16 bits and floats), .jpg or .jpeg (8
 /// bits, quality 95, no chroma subsampling, no alpha) or .exr (linear 32-bit floats). Upright, tagged sRGB (EXR:
 /// Rec.709 chromaticities and `envmap`), `text` as text chunks, comment or attributes. In one piece or not at all

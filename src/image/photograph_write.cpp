@@ -19,13 +19,6 @@ using Bytes = std::vector<std::uint8_t>;
 using Words = std::vector<std::uint16_t>;
 using Floats = std::vector<float>;
 
-std::string extensionOf(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
-}
-
 std::uint8_t byteOf(std::uint8_t code) { return code; }
 std::uint8_t byteOf(std::uint16_t code) { return static_cast<std::uint8_t>((code + 128U) / 257U); }
 std::uint8_t byteOf(float linear) { return toSrgb8(linear); }
@@ -104,6 +97,13 @@ void writeJpegPhotograph(const std::filesystem::path& path, const Photograph& ph
 }
 
 }  // namespace
+
+std::string extensionOf(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
 
 void writePhotograph(const std::filesystem::path& path, const Photograph& photograph,
                      const std::map<std::string, std::string>& text, Envmap envmap) {

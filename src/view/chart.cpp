@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cerrno>
 #include <cstdio>
 #include <memory>
@@ -16,6 +15,7 @@
 #include <system_error>
 
 #include "image/atomic_file.h"
+#include "image/photograph.h"
 
 namespace parhelion {
 namespace {
@@ -115,10 +115,8 @@ std::string gnuplot(const std::string& commands) {
 void drawChart(const std::filesystem::path& path, const ChartAxes& axes, std::span<const ChartCurve> curves) {
   if (std::all_of(curves.begin(), curves.end(), [](const ChartCurve& curve) { return curve.points.empty(); }))
     throw std::invalid_argument("a chart needs a point at least");
-  std::string extension = path.extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   AtomicFile file(path);
-  file.write(gnuplot(script(extension, axes, curves)));
+  file.write(gnuplot(script(extensionOf(path), axes, curves)));
   file.commit();
 }
 
