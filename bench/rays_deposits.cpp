@@ -4,9 +4,9 @@
 #include <span>
 #include <thread>
 
-#include "image/camera.h"
-#include "image/deposit_buffer.h"
 #include "rays_memory.h"
+#include "sky/camera.h"
+#include "sky/deposit_buffer.h"
 #include "stopwatch.h"
 #include "trace/light_path.h"
 

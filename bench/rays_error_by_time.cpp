@@ -5,13 +5,13 @@
 #include <vector>
 
 #include "csv.h"
-#include "image/radiance.h"
 #include "rays_coarser.h"
 #include "rays_configurations.h"
 #include "rays_plan.h"
 #include "recon/compare.h"
 #include "recon/reconstruct.h"
-#include "scene/empty_tally.h"
+#include "render/empty_tally.h"
+#include "sky/radiance.h"
 #include "stopwatch.h"
 #include "trace/film.h"
 #include "trace/trace.h"

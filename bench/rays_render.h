@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "image/tally.h"
+#include "sky/tally.h"
 #include "stopwatch.h"
 #include "trace/cloud.h"
 #include "trace/trace.h"

@@ -10,11 +10,11 @@ StageWatch stageWatch;
 
 namespace {
 
-/// Calls a kernel; what came before it belongs to one stage, the kernel itself to another.
-template <auto kKernel, Stage kBefore, Stage kStage, class... Arguments>
+/// Takes a step; what came before it belongs to one stage, the step itself to another.
+template <auto kStep, Stage kBefore, Stage kStage, class... Arguments>
 void timed(Arguments... arguments) {
   stageWatch.clock->lap(kBefore);
-  (stageWatch.kernels->*kKernel)(arguments...);
+  (stageWatch.steps->*kStep)(arguments...);
   stageWatch.clock->lap(kStage);
 }
 
@@ -24,7 +24,7 @@ void timedMeasureFaces(const FaceTable& faces, RayPool& pool) {
     stageWatch.onNamed(pool);
     stageWatch.clock->start();
   }
-  stageWatch.kernels->measureFaces(faces, pool);
+  stageWatch.steps->measureFaces(faces, pool);
   stageWatch.clock->lap(Stage::intersection);
 }
 
@@ -53,15 +53,15 @@ double StageClock::measureCost() {
   return least;
 }
 
-Kernels timedKernels(const Kernels& real) {
-  Kernels k = real;
-  k.draw = timed<&Kernels::draw, Stage::start, Stage::start>;
-  k.propose = timed<&Kernels::propose, Stage::start, Stage::start>;
-  k.enter = timed<&Kernels::enter, Stage::start, Stage::entry>;
-  k.findFaces = timed<&Kernels::findFaces, Stage::pool, Stage::intersection>;
+LaneSteps timedSteps(const LaneSteps& real) {
+  LaneSteps k = real;
+  k.draw = timed<&LaneSteps::draw, Stage::start, Stage::start>;
+  k.propose = timed<&LaneSteps::propose, Stage::start, Stage::start>;
+  k.enter = timed<&LaneSteps::enter, Stage::start, Stage::entry>;
+  k.findFaces = timed<&LaneSteps::findFaces, Stage::pool, Stage::intersection>;
   k.measureFaces = timedMeasureFaces;
-  k.meetFaces = timed<&Kernels::meetFaces, Stage::intersection, Stage::optics>;
-  k.turnToWorld = timed<&Kernels::turnToWorld, Stage::pool, Stage::deposit>;
+  k.meetFaces = timed<&LaneSteps::meetFaces, Stage::intersection, Stage::optics>;
+  k.turnToWorld = timed<&LaneSteps::turnToWorld, Stage::pool, Stage::deposit>;
   return k;
 }
 

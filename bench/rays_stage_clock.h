@@ -5,12 +5,12 @@
 #include <chrono>
 #include <cstdint>
 
-#include "trace/kernels.h"
+#include "trace/lane_steps.h"
 #include "trace/path_tally.h"
 
 namespace parhelion::bench {
 
-/// What a wave spends its time on. `naming` is what lies between two kernels where Embree is asked: its answers, and
+/// What a wave spends its time on. `naming` is what lies between two steps where Embree is asked: its answers, and
 /// before them the pool's refill.
 enum class Stage { start, entry, naming, intersection, optics, deposit, pool };
 inline constexpr int kStages = 7;
@@ -43,16 +43,16 @@ class StageClock {
   std::array<std::uint64_t, kStages> laps_{};
 };
 
-/// What the kernels of timedKernels() do beside their work; one thread at a time.
+/// What the steps of timedSteps() do beside their work; one thread at a time.
 struct StageWatch {
-  const Kernels* kernels = nullptr;  // that do the work
+  const LaneSteps* steps = nullptr;  // that do the work
   StageClock* clock = nullptr;
   void (*onNamed)(const RayPool& pool) = nullptr;  // called, off the clock, when the pool's faces have names
 };
 extern StageWatch stageWatch;
 
-/// Kernels that do as stageWatch says; `lanes` is that of the real ones.
-Kernels timedKernels(const Kernels& real);
+/// LaneSteps that do as stageWatch says; `lanes` is that of the real ones.
+LaneSteps timedSteps(const LaneSteps& real);
 
 /// A tally on the clock of stageWatch.
 class TimedTally : public PathTally {

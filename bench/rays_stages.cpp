@@ -63,8 +63,8 @@ CallTimer* callTimer = nullptr;  // of the wave under way
 /// The bare loop that an engine's search for faces is held against.
 class BareLoop {
  public:
-  BareLoop(const Cloud& cloud, Engine engine, const Kernels& kernels, RTCScene scene)
-      : engines_(makeEngines(cloud, engine)), kernels_(kernels), scene_(scene), pools_(kLoopPools) {
+  BareLoop(const Cloud& cloud, Engine engine, const LaneSteps& steps, RTCScene scene)
+      : engines_(makeEngines(cloud, engine)), steps_(steps), scene_(scene), pools_(kLoopPools) {
     const std::vector<InteriorRay> rays = interiorRays(cloud, kLoopPools * RayPool::kRoom);
     for (int p = 0; p < kLoopPools; ++p) {
       fillPool(pools_[p], std::span(rays).subspan(p * RayPool::kRoom, RayPool::kRoom), onlyCrystal(cloud).stretch);
@@ -96,12 +96,12 @@ class BareLoop {
   std::uint64_t askPlanes(const SlabTable& slabs) {
     constexpr int kRepeats = 16;
     for (RayPool& pool : pools_)
-      for (int i = 0; i < kRepeats; ++i) kernels_.findFaces(slabs, pool);
+      for (int i = 0; i < kRepeats; ++i) steps_.findFaces(slabs, pool);
     return kRepeats * queries_.size();
   }
 
   Engines engines_;
-  const Kernels& kernels_;
+  const LaneSteps& steps_;
   RTCScene scene_;
   std::vector<RayPool> pools_;
   std::vector<RTCRayHit> queries_;
@@ -116,8 +116,8 @@ class Runner {
   Runner(const Cloud& cloud, Engine engine, Simd simd, PathTally& film)
       : engine_(engine),
         simd_(simd),
-        real_(kernels(simd)),
-        timed_(timedKernels(real_)),
+        real_(laneSteps(simd)),
+        timed_(timedSteps(real_)),
         bundles_(Wave::bundles(cloud)),
         engines_(makeEngines(cloud, engine)),
         plainWave_(cloud, engines_, tracing(engine), real_),
@@ -165,8 +165,8 @@ class Runner {
 
   const Engine engine_;
   const Simd simd_;
-  const Kernels& real_;
-  Kernels timed_;
+  const LaneSteps& real_;
+  LaneSteps timed_;
   int bundles_;
   Engines engines_;
   Wave plainWave_, timedWave_;

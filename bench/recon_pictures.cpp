@@ -2,12 +2,12 @@
 #include <cmath>
 
 #include "csv.h"
-#include "image/png.h"
-#include "image/radiance.h"
-#include "image/tone.h"
+#include "picture/png.h"
+#include "picture/tone.h"
 #include "recon/compare.h"
 #include "recon_methods.h"
 #include "recon_scenes.h"
+#include "sky/radiance.h"
 
 namespace parhelion::bench {
 namespace {

@@ -5,9 +5,9 @@
 #include <span>
 #include <string>
 
-#include "image/tally.h"
 #include "recon_plan.h"
 #include "scene/parse_scene.h"
+#include "sky/tally.h"
 
 namespace parhelion::bench {
 

@@ -5,12 +5,12 @@
 #include "math/overloaded.h"
 #include "math/portable.h"
 #include "math/random.h"
-#include "recon/act.h"
-#include "recon/gaussian.h"
-#include "recon/glassner.h"
-#include "recon/gonzato_marchand.h"
-#include "recon/marvasti.h"
-#include "recon/voronoi.h"
+#include "recon/published/act.h"
+#include "recon/published/gaussian.h"
+#include "recon/published/glassner.h"
+#include "recon/published/gonzato_marchand.h"
+#include "recon/published/marvasti.h"
+#include "recon/published/voronoi.h"
 #include "recon_methods.h"
 
 namespace parhelion::bench {

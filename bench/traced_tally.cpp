@@ -4,8 +4,8 @@
 #include <cstdio>
 #include <utility>
 
-#include "image/tally_exr.h"
-#include "scene/empty_tally.h"
+#include "render/empty_tally.h"
+#include "sky/tally_exr.h"
 #include "trace/sky_film.h"
 
 namespace parhelion::bench {

@@ -3,8 +3,8 @@
 
 #include <filesystem>
 
-#include "image/tally.h"
 #include "scene/parse_scene.h"
+#include "sky/tally.h"
 #include "trace/trace.h"
 
 namespace parhelion::bench {

@@ -9,14 +9,14 @@
 #include "cli/photo_options.h"
 #include "cli/tally_run.h"
 #include "cli/text_output.h"
-#include "image/colour_space.h"
-#include "image/jpeg_patch.h"
 #include "optics/ice.h"
-#include "photo/composite.h"
+#include "photo/added_halo.h"
+#include "photo/editing_pictures.h"
 #include "photo/find_sky.h"
 #include "photo/found_mask.h"
-#include "photo/layers.h"
 #include "photo/sky_match.h"
+#include "picture/colour_space.h"
+#include "picture/jpeg_patch.h"
 #include "recon/threads.h"
 #include "view/overlay.h"
 
@@ -122,26 +122,26 @@ Vec3 perRadiance(const CompositeOptions& options, const Photograph& photograph, 
 
 void writeLayers(const CompositeOptions& options, const Photograph& photograph, const AddedHalo& added,
                  const PhotoCamera& camera, const std::map<std::string, std::string>& text) {
-  writePhotograph(options.layer(kLayerFiles[0]), lightLayer(added), text);
-  writePhotograph(options.layer(kLayerFiles[1]), linearSum(photograph, added), text);
-  writePhotograph(options.layer(kLayerFiles[2]), dodgeLayer(photograph, added), text);
+  writePhotograph(options.layer(kLayerFiles[0]), lightForEditing(added), text);
+  writePhotograph(options.layer(kLayerFiles[1]), sumForEditing(photograph, added), text);
+  writePhotograph(options.layer(kLayerFiles[2]), dodgeForEditing(photograph, added), text);
   writeSkyMask(options.layer(kLayerFiles[3]), added.mask, text);
   OverlaySettings grid;
   grid.halos = true;
   constexpr double kGreen = 550.0;  // nm
-  writeLayer(options.layer(kLayerFiles[4]), drawOverlay(camera.camera, camera.sunElevation, iceIndex(kGreen), grid),
-             text);
+  writeLineArt(options.layer(kLayerFiles[4]), drawOverlay(camera.camera, camera.sunElevation, iceIndex(kGreen), grid),
+               text);
 }
 
 /// A JPEG out of a JPEG keeps what the halo does not touch, an EXR holds light beyond white.
-CompositeReport writeComposite(const CompositeOptions& options, Photograph& photograph, const AddedHalo& added,
+AddedHaloReport writeComposite(const CompositeOptions& options, Photograph& photograph, const AddedHalo& added,
                                const PhotoCamera& camera, const std::map<std::string, std::string>& text) {
   const std::filesystem::path out = options.output;
   const std::string kind = extensionOf(out);
   const bool codes = !std::holds_alternative<std::vector<float>>(photograph.samples);
   const Envmap envmap = envmapOf(Camera(camera.camera));
-  if (kind == ".exr" && codes) writePhotograph(out, linearSum(photograph, added), text, envmap);
-  const CompositeReport done = addHalo(photograph, added);
+  if (kind == ".exr" && codes) writePhotograph(out, sumForEditing(photograph, added), text, envmap);
+  const AddedHaloReport done = addHalo(photograph, added);
   if (kind == ".exr" && codes) return done;
   if (kind != ".jpg" && kind != ".jpeg") {
     writePhotograph(out, photograph, text, envmap);
@@ -151,7 +151,7 @@ CompositeReport writeComposite(const CompositeOptions& options, Photograph& phot
   return done;
 }
 
-void report(const CompositeOptions& options, const Photograph& photograph, const CompositeReport& done) {
+void report(const CompositeOptions& options, const Photograph& photograph, const AddedHaloReport& done) {
   const double pixels = static_cast<double>(photograph.pixels());
   std::fprintf(stderr, "the halo touches %.1f %% of the picture", 100.0 * static_cast<double>(done.touched) / pixels);
   if (done.clipped > 0)
@@ -190,7 +190,7 @@ int runComposite(const CompositeOptions& options) {
   text["Software"] = text["software"];
   return withThreads(threads, [&] {
     if (!options.layers.empty()) writeLayers(options, photograph, added, camera, text);
-    const CompositeReport done = writeComposite(options, photograph, added, camera, text);
+    const AddedHaloReport done = writeComposite(options, photograph, added, camera, text);
     if (options.findsSky()) writeFoundMask(options.foundMask(), mask, text["software"]);
     if (!options.halo.run.quiet) report(options, photograph, done);
     return halo.exitCode;

@@ -6,8 +6,8 @@
 
 #include "cli/photo_options.h"
 #include "cli/run_options.h"
-#include "image/exr.h"
 #include "photo/halo_lookup.h"
+#include "picture/exr.h"
 
 namespace parhelion::cli {
 

@@ -5,7 +5,7 @@
 
 #include "cli/commands.h"
 #include "cli/tally_run.h"
-#include "image/exr.h"
+#include "picture/exr.h"
 #include "scene/describe.h"
 #include "scene/parse_scene.h"
 

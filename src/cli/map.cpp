@@ -6,7 +6,7 @@
 #include "cli/run_options.h"
 #include "cli/tally_run.h"
 #include "cli/text_output.h"
-#include "image/exr.h"
+#include "picture/exr.h"
 #include "trace/sky_map.h"
 
 namespace parhelion::cli {

@@ -8,11 +8,11 @@
 
 #include "cli/run_options.h"
 #include "cli/tally_run.h"
-#include "image/camera.h"
 #include "math/rotation.h"
 #include "photo/lens_from_exif.h"
 #include "scene/names.h"
 #include "scene/parse_scene.h"
+#include "sky/camera.h"
 
 namespace parhelion::cli {
 

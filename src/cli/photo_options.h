@@ -7,9 +7,9 @@
 
 #include <CLI/CLI.hpp>
 
-#include "image/camera_settings.h"
-#include "image/photograph.h"
 #include "photo/pointing.h"
+#include "picture/photograph.h"
+#include "sky/camera_settings.h"
 
 namespace parhelion::cli {
 

@@ -5,13 +5,13 @@
 
 #include "cli/run_options.h"
 #include "cli/tally_run.h"
-#include "image/camera.h"
-#include "image/envmap.h"
-#include "image/exr.h"
-#include "image/png.h"
-#include "image/radiance.h"
-#include "image/tone.h"
-#include "trace/draw_sun.h"
+#include "picture/exr.h"
+#include "picture/png.h"
+#include "picture/tone.h"
+#include "sky/camera.h"
+#include "sky/draw_sun.h"
+#include "sky/envmap.h"
+#include "sky/radiance.h"
 
 namespace parhelion::cli {
 

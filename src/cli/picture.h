@@ -6,11 +6,11 @@
 
 #include <CLI/CLI.hpp>
 
-#include "image/image.h"
-#include "image/tally.h"
-#include "image/tone.h"
+#include "picture/image.h"
+#include "picture/tone.h"
 #include "recon/reconstruct.h"
 #include "scene/parse_scene.h"
+#include "sky/tally.h"
 
 namespace parhelion::cli {
 

@@ -13,11 +13,11 @@
 #include "cli/run_options.h"
 #include "cli/stats.h"
 #include "cli/text_output.h"
-#include "image/confidence.h"
-#include "image/png.h"
-#include "image/tally_exr.h"
+#include "picture/png.h"
 #include "recon/compare.h"
 #include "recon/threads.h"
+#include "sky/confidence.h"
+#include "sky/tally_exr.h"
 
 namespace parhelion::cli {
 

@@ -4,8 +4,8 @@
 #include <stdexcept>
 
 #include "cli/tally_run.h"
-#include "image/exr.h"
-#include "image/photograph.h"
+#include "picture/exr.h"
+#include "picture/photograph.h"
 
 namespace parhelion::cli {
 

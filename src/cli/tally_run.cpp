@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/tally_run.h"
 
-#include "scene/empty_tally.h"
+#include "render/empty_tally.h"
 #include "trace/film.h"
 
 namespace parhelion::cli {

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "cli/run_options.h"
-#include "image/exr.h"
-#include "image/tally.h"
+#include "picture/exr.h"
+#include "sky/tally.h"
 
 namespace parhelion::cli {
 

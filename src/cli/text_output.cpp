@@ -11,8 +11,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include "image/atomic_file.h"
 #include "math/conventions.h"
+#include "picture/atomic_file.h"
 
 namespace parhelion::cli {
 

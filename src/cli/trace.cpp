@@ -5,7 +5,7 @@
 #include "cli/run_options.h"
 #include "cli/tally_run.h"
 #include "cli/text_output.h"
-#include "image/tally_exr.h"
+#include "sky/tally_exr.h"
 
 namespace parhelion::cli {
 

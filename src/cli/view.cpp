@@ -12,13 +12,13 @@
 #include "cli/view_input.h"
 #include "cli/view_options.h"
 #include "cli/view_profile.h"
-#include "image/transfer.h"
 #include "optics/ice.h"
+#include "picture/transfer.h"
 #include "scene/parse_scene.h"
 #include "view/beside.h"
 #include "view/colour_difference.h"
 #include "view/dots.h"
-#include "view/layer.h"
+#include "view/line_art.h"
 
 namespace parhelion::cli {
 
@@ -64,7 +64,7 @@ PhotoCamera cameraOf(const ViewInput& input, const PhotoOptions& options, const 
 }
 
 /// Lines and letters for what a picture shows.
-Layer linesOver(const ViewInput& input, const PhotoCamera& camera, const ViewOptions& options) {
+LineArt linesOver(const ViewInput& input, const PhotoCamera& camera, const ViewOptions& options) {
   IceSettings ice;
   if (const auto scene = input.scene()) ice = parseScene(*scene, "the scene in " + input.path).scene.ice;
   return drawOverlay(camera.camera, camera.sunElevation, refractiveIndex(ice, kEyesWavelength),
@@ -201,8 +201,8 @@ std::vector<View> pictureViews(const std::vector<ViewInput>& pictures, const Vie
   else
     views.push_back(difference(pictures[0], pictures[1], options));
   for (std::size_t i = 0; i < views.size() && options.drawsLines(); ++i) {
-    const Layer lines = linesOver(pictures[i], cameras[i], options);
-    if (!options.layer.empty()) writeLayer(options.layer, lines, {{"Software", "parhelion " PARHELION_VERSION}});
+    const LineArt lines = linesOver(pictures[i], cameras[i], options);
+    if (!options.layer.empty()) writeLineArt(options.layer, lines, {{"Software", "parhelion " PARHELION_VERSION}});
     layOver(views[i].picture, lines);
   }
   return views;

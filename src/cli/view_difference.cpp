@@ -4,8 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include "image/camera.h"
 #include "scene/names.h"
+#include "sky/camera.h"
 
 namespace parhelion::cli {
 

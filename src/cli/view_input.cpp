@@ -4,11 +4,11 @@
 #include <stdexcept>
 
 #include "cli/tally_run.h"
-#include "image/exr.h"
-#include "image/radiance.h"
-#include "image/tally_exr.h"
-#include "image/tone.h"
 #include "photo/sky_mask.h"
+#include "picture/exr.h"
+#include "picture/tone.h"
+#include "sky/radiance.h"
+#include "sky/tally_exr.h"
 
 namespace parhelion::cli {
 

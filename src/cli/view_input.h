@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "image/photograph.h"
-#include "image/tally.h"
+#include "picture/photograph.h"
+#include "sky/tally.h"
 #include "view/display.h"
 
 namespace parhelion::cli {

@@ -7,7 +7,7 @@
 namespace parhelion {
 
 /// A sum of doubles as a 128-bit integer: exact to 2^-40 a term, the same for any order of adding, and with room for
-/// 2^64 terms below 2^23. For the few totals of a run; images and profiles use 64 bits (image/fixed_point.h).
+/// 2^64 terms below 2^23. For the few totals of a run; images and profiles use 64 bits (sky/fixed_point.h).
 class ExactSum {
  public:
   void add(double x) { units_ += static_cast<std::int64_t>(std::nearbyint(x * kScale)); }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "image/image.h"
 #include "photo/sky_mask.h"
+#include "picture/image.h"
 
 namespace parhelion {
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "image/camera.h"
+#include "sky/camera.h"
 
 namespace parhelion {
 namespace {

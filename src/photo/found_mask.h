@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <string>
 
-#include "image/camera_settings.h"
 #include "photo/sky_mask.h"
+#include "sky/camera_settings.h"
 
 namespace parhelion {
 

@@ -3,8 +3,8 @@
 
 #include <array>
 
-#include "image/image.h"
 #include "photo/raster.h"
+#include "picture/image.h"
 
 namespace parhelion {
 

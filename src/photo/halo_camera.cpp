@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "image/camera.h"
 #include "photo/lens_from_exif.h"
+#include "sky/camera.h"
 
 namespace parhelion {
 

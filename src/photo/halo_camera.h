@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "image/camera_settings.h"
+#include "sky/camera_settings.h"
 
 namespace parhelion {
 

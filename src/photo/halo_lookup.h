@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "image/camera.h"
-#include "image/image.h"
+#include "picture/image.h"
+#include "sky/camera.h"
 
 namespace parhelion {
 

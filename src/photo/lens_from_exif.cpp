@@ -6,8 +6,8 @@
 #include <cstdio>
 #include <stdexcept>
 
-#include "image/camera.h"
 #include "math/portable.h"
+#include "sky/camera.h"
 
 namespace parhelion {
 namespace {

@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "image/camera_settings.h"
-#include "image/exif.h"
+#include "picture/exif.h"
+#include "sky/camera_settings.h"
 
 namespace parhelion {
 

@@ -11,11 +11,11 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
-#include "image/camera.h"
 #include "math/rotation.h"
 #include "photo/pointing_fit.h"
 #include "photo/pointing_starts.h"
 #include "photo/sighting.h"
+#include "sky/camera.h"
 
 namespace parhelion {
 namespace {

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "image/camera_settings.h"
 #include "math/conventions.h"
+#include "sky/camera_settings.h"
 
 namespace parhelion {
 

@@ -7,8 +7,8 @@
 
 #include <tbb/parallel_for.h>
 
-#include "image/transfer.h"
 #include "photo/guided_filter.h"
+#include "picture/transfer.h"
 
 namespace parhelion {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "image/photograph.h"
 #include "photo/sky_mask.h"
+#include "picture/photograph.h"
 
 namespace parhelion {
 

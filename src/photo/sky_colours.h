@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "image/image.h"
 #include "photo/raster.h"
+#include "picture/image.h"
 
 namespace parhelion {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "image/photograph.h"
+#include "picture/photograph.h"
 
 namespace parhelion {
 

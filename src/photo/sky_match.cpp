@@ -7,8 +7,8 @@
 #include <stdexcept>
 #include <type_traits>
 
-#include "image/colour_space.h"
 #include "math/rotation.h"
+#include "picture/colour_space.h"
 
 namespace parhelion {
 namespace {

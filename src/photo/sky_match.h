@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "image/photograph.h"
 #include "photo/halo_lookup.h"
 #include "photo/sky_mask.h"
+#include "picture/photograph.h"
 
 namespace parhelion {
 

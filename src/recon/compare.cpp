@@ -9,11 +9,11 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
-#include "image/camera.h"
-#include "image/colour_space.h"
-#include "image/radiance.h"
 #include "math/portable.h"
+#include "picture/colour_space.h"
 #include "recon/sky_means.h"
+#include "sky/camera.h"
+#include "sky/radiance.h"
 
 namespace parhelion {
 namespace {

@@ -4,8 +4,8 @@
 #include <array>
 #include <optional>
 
-#include "image/image.h"
-#include "image/tally.h"
+#include "picture/image.h"
+#include "sky/tally.h"
 
 namespace parhelion {
 

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "recon/reconstruct.h"
 
-#include "image/radiance.h"
 #include "math/overloaded.h"
-#include "recon/act.h"
-#include "recon/adaptive.h"
-#include "recon/gaussian.h"
-#include "recon/glassner.h"
-#include "recon/gonzato_marchand.h"
-#include "recon/marvasti.h"
+#include "recon/adaptive/adaptive.h"
+#include "recon/published/act.h"
+#include "recon/published/gaussian.h"
+#include "recon/published/glassner.h"
+#include "recon/published/gonzato_marchand.h"
+#include "recon/published/marvasti.h"
+#include "recon/published/voronoi.h"
 #include "recon/sky_light.h"
-#include "recon/voronoi.h"
+#include "sky/radiance.h"
 
 namespace parhelion {
 namespace {

@@ -4,14 +4,14 @@
 #include <string>
 #include <vector>
 
-#include "image/image.h"
-#include "image/tally.h"
+#include "picture/image.h"
 #include "recon/recon_settings.h"
 #include "recon/watch.h"
+#include "sky/tally.h"
 
 namespace parhelion {
 
-/// A whole image of the sky in 1/sr, channels R, G, B and the variance of the luminance (image/radiance.h); the
+/// A whole image of the sky in 1/sr, channels R, G, B and the variance of the luminance (sky/radiance.h); the
 /// undeviated sunlight is not in it. The variance is that of the noise, measured as the difference between the pictures
 /// of the two halves of the rays; it says nothing of what a filter bends.
 struct ReconstructedSky {

@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "image/camera.h"
-#include "image/colour_space.h"
-#include "image/radiance.h"
-#include "recon/guard_band.h"
+#include "picture/colour_space.h"
+#include "recon/adaptive/guard_band.h"
+#include "recon/adaptive/kernel_field.h"
 #include "recon/integral_image.h"
-#include "recon/kernel_field.h"
+#include "sky/camera.h"
+#include "sky/radiance.h"
 
 namespace parhelion {
 namespace {

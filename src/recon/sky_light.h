@@ -4,9 +4,9 @@
 #include <functional>
 #include <vector>
 
-#include "image/image.h"
-#include "image/tally.h"
+#include "picture/image.h"
 #include "recon/hit_map.h"
+#include "sky/tally.h"
 
 namespace parhelion {
 

@@ -6,9 +6,9 @@
 #include <cstddef>
 #include <vector>
 
-#include "image/camera.h"
 #include "math/portable.h"
 #include "recon/grid.h"
+#include "sky/camera.h"
 
 namespace parhelion {
 

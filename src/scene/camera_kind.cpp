@@ -3,8 +3,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "image/camera.h"
 #include "scene/scene_keys.h"
+#include "sky/camera.h"
 
 namespace parhelion {
 

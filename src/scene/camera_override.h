@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "image/camera_settings.h"
+#include "sky/camera_settings.h"
 
 namespace parhelion {
 

@@ -5,7 +5,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "image/camera.h"
+#include "picture/image.h"
 #include "scene/parse_scene.h"
 #include "scene/utf8.h"
 

@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "crystal/population_settings.h"
-#include "image/camera_settings.h"
 #include "optics/light_settings.h"
 #include "recon/recon_settings.h"
+#include "sky/camera_settings.h"
 #include "trace/trace_settings.h"
 
 namespace parhelion {

@@ -165,11 +165,11 @@ void visitKeys(Visitor& v, ReconKeys& r) {
   v.key("samples", Optional{Number{{0, 1e12, true}}}, r.samples,
         "gonzato-marchand: m, hits that a square grows to hold. Left out: by the number of hits.");
   v.key("lobes", Optional{Number{{1, 16}}}, r.lobes,
-        "gonzato-marchand: k, zeros of the sinc inside a kernel; 1 when left out, above which kernels ring.");
+        "gonzato-marchand: k, zeros of the sinc inside a kernel; 1 when left out, above which steps ring.");
   v.key("gain", Optional{Choice<KernelGain>{}}, r.gain,
-        "gonzato-marchand: kernels that add up to 1 (\"unit\", when left out) or are used as published (\"paper\").");
+        "gonzato-marchand: steps that add up to 1 (\"unit\", when left out) or are used as published (\"paper\").");
   v.key("flow", Optional{Choice<KernelFlow>{}}, r.flow,
-        "gonzato-marchand: kernels sized where light comes from (\"scatter\", when left out) or goes to (\"gather\").");
+        "gonzato-marchand: steps sized where light comes from (\"scatter\", when left out) or goes to (\"gather\").");
   v.key("iterations", Optional{WholeNumber{0, 1000}}, r.iterations,
         "marvasti, voronoi, act, gonzato-marchand: corrections after the first filter; 3 for act and 0 for the others "
         "when left out. They end early where the residual grows.");

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "image/fixed_point.h"
+#include "sky/fixed_point.h"
 
 namespace parhelion {
 

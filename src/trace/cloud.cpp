@@ -5,7 +5,7 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "trace/kernels.h"
+#include "trace/lane_steps.h"
 
 namespace parhelion {
 
@@ -28,9 +28,9 @@ std::vector<double> pilotInterceptions(const IncidenceTable& table, int populati
   IncidenceNumbers numbers{};
   for (int i = 0; i < count; i += IncidenceNumbers::kRoom) {
     Proposals proposals{&bundles[i], std::min(IncidenceNumbers::kRoom, count - i), rejected.data(), 0};
-    kernels().draw(static_cast<std::uint64_t>(population), RandomPurpose::pilot, proposals.bundle, proposals.count, 0,
-                   kIncidenceNumbers / 2, numbers);
-    kernels().propose(table, numbers, proposals, queue);
+    laneSteps().draw(static_cast<std::uint64_t>(population), RandomPurpose::pilot, proposals.bundle, proposals.count, 0,
+                     kIncidenceNumbers / 2, numbers);
+    laneSteps().propose(table, numbers, proposals, queue);
   }
   return {queue.weight.begin(), queue.weight.begin() + count};
 }

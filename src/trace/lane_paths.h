@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// Part of kernels_lanes.cpp, and of nothing else.
+// Part of lane_code.cpp, and of nothing else.
 
 #include "optics/interface.h"
 #include "trace/intersector.h"

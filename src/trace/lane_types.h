@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// Part of kernels_lanes.cpp, and of nothing else.
+// Part of lane_code.cpp, and of nothing else.
 
 #include "math/lanes.h"
-#include "trace/kernels.h"
+#include "trace/lane_steps.h"
 
 namespace parhelion {
 namespace {

@@ -4,7 +4,7 @@
 namespace parhelion {
 
 int RadialFilm::add(const TracedRays& traced) {
-  const auto& [queue, exits, members, mesh, kernels] = traced;
+  const auto& [queue, exits, members, mesh, steps] = traced;
   byBundle_.sort(queue, exits.ray, exits.count);
   int seen = 0;
   for (int place = 0; place < queue.count; ++place) {

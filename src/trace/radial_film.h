@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "image/radial_sky.h"
+#include "sky/radial_sky.h"
 #include "trace/bundle_bins.h"
 #include "trace/path_tally.h"
 

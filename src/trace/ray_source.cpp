@@ -18,9 +18,9 @@ constexpr int kBlocks = kIncidenceNumbers / 2;
 
 }  // namespace
 
-RaySource::RaySource(const Cloud& cloud, const TraceSettings& settings, int room, const Kernels& kernels)
+RaySource::RaySource(const Cloud& cloud, const TraceSettings& settings, int room, const LaneSteps& steps)
     : cloud_(cloud),
-      kernels_(kernels),
+      steps_(steps),
       seed_(settings.seed),
       room_(room),
       waiting_(room + RayQueue::kSpare),
@@ -63,7 +63,7 @@ void RaySource::splitByPopulation(int attempt) {
     if (last > 0 && !sobol_.empty())
       fillSobol(&waiting_[i], some, kPopulationDimension, u.data());
     else if (last > 0)
-      kernels_.draw(seed_, RandomPurpose::population, &waiting_[i], some, attempt, 1, numbers_);
+      steps_.draw(seed_, RandomPurpose::population, &waiting_[i], some, attempt, 1, numbers_);
     for (int k = 0; k < some; ++k) {
       const auto chosen = last > 0 ? std::ranges::upper_bound(shares, u[k]) - shares.begin() : 0;
       candidates_[std::min<std::ptrdiff_t>(chosen, last)].push_back(waiting_[i + k]);
@@ -83,7 +83,7 @@ void RaySource::propose(int population, int attempt) {
     proposals.bundle = &bundles[i];
     proposals.count = std::min(IncidenceNumbers::kRoom, count - i);
     fill(proposals.bundle, proposals.count, attempt);
-    kernels_.propose(table, numbers_, proposals, queues_[population]);
+    steps_.propose(table, numbers_, proposals, queues_[population]);
   }
   waiting_.resize(before + proposals.rejectedCount);
 }
@@ -95,8 +95,8 @@ void RaySource::fill(const std::uint64_t* bundles, int count, int attempt) {
     return;
   }
   // A point sun needs no numbers of its own.
-  kernels_.draw(seed_, RandomPurpose::incidence, bundles, count, kBlocks * attempt,
-                cloud_.sun().isPoint() ? kBlocks - 1 : kBlocks, numbers_);
+  steps_.draw(seed_, RandomPurpose::incidence, bundles, count, kBlocks * attempt,
+              cloud_.sun().isPoint() ? kBlocks - 1 : kBlocks, numbers_);
 }
 
 void RaySource::fillSobol(const std::uint64_t* bundles, int count, int dimension, double* numbers) {

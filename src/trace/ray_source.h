@@ -6,7 +6,7 @@
 #include "math/sobol.h"
 #include "trace/cloud.h"
 #include "trace/incident_ray.h"
-#include "trace/kernels.h"
+#include "trace/lane_steps.h"
 
 namespace parhelion {
 
@@ -16,7 +16,8 @@ namespace parhelion {
 class RaySource {
  public:
   /// Draws at most `room` bundles at a time. `cloud` must outlive the source.
-  RaySource(const Cloud& cloud, const TraceSettings& settings, int room, const Kernels& kernels = parhelion::kernels());
+  RaySource(const Cloud& cloud, const TraceSettings& settings, int room,
+            const LaneSteps& steps = parhelion::laneSteps());
 
   /// Draws bundles first ... first + count - 1 in place of what was drawn before, each into the queue of its
   /// population.
@@ -41,7 +42,7 @@ class RaySource {
   void setLight(RayQueue& queue);
 
   const Cloud& cloud_;
-  const Kernels& kernels_;
+  const LaneSteps& steps_;
   std::uint64_t seed_;
   std::vector<SobolPoints> sobol_;  // of the bundles of even and of odd number; none for independent numbers
   int room_;

@@ -4,14 +4,14 @@
 namespace parhelion {
 
 int SkyFilm::add(const TracedRays& traced) {
-  const auto& [queue, exits, members, mesh, kernels] = traced;
+  const auto& [queue, exits, members, mesh, steps] = traced;
   const bool bothViews = mirrored_ && !foldsPicture();
   const std::size_t room = static_cast<std::size_t>(2 * exits.count + RayQueue::kSpare);
   if (seen_.pixel.size() < room)
     for (auto* row : {&seen_.pixel, &seen_.energy, &seen_.ray}) row->resize(room);
   seen_.count = 0;
-  kernels.see(camera_, false, exits, seen_);
-  if (bothViews) kernels.see(camera_, true, exits, seen_);
+  steps.see(camera_, false, exits, seen_);
+  if (bothViews) steps.see(camera_, true, exits, seen_);
 
   countStraight(traced);
   byBundle_.sort(queue, seen_.ray, seen_.count);
@@ -30,7 +30,7 @@ int SkyFilm::add(const TracedRays& traced) {
 
 /// Counts the light intercepted, and of that the light that goes straight on.
 void SkyFilm::countStraight(const TracedRays& traced) {
-  const auto& [queue, exits, members, mesh, kernels] = traced;
+  const auto& [queue, exits, members, mesh, steps] = traced;
   for (int member = 0; member < members; ++member)
     for (int place = 0; place < queue.count; ++place)
       intercepted_ += toFixed(queue.weight[place] * queue.light[queue.ray(member, place)].light);

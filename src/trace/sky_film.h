@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "image/camera.h"
-#include "image/deposit_buffer.h"
-#include "image/tally.h"
+#include "sky/camera.h"
+#include "sky/deposit_buffer.h"
+#include "sky/tally.h"
 #include "trace/bundle_bins.h"
 #include "trace/path_tally.h"
 

@@ -38,14 +38,14 @@ TraceReport traceRays(const Cloud& cloud, const TraceSettings& settings, std::ui
   const int threads = control.threads > 0 ? std::min(control.threads, 4 * processors) : processors;
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
   tbb::task_arena arena(threads);
-  const Kernels& kernelsHere = kernels(control.simd);
+  const LaneSteps& steps = laneSteps(control.simd);
   tbb::enumerable_thread_specific<Worker> workers([&] {
-    return Worker{tally.forThread(), std::make_unique<Wave>(cloud, engines, settings, kernelsHere)};
+    return Worker{tally.forThread(), std::make_unique<Wave>(cloud, engines, settings, steps)};
   });
 
   TraceReport report;
   report.firstRay = firstRay;
-  report.simdLanes = kernelsHere.lanes;
+  report.simdLanes = steps.lanes;
   const auto start = std::chrono::steady_clock::now();
   // The run's last bundle may be cut short; it makes a wave of its own.
   const std::uint64_t wholeBundles = settings.rays / bundleSize, waveSize = Wave::bundles(cloud);

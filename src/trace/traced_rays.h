@@ -5,7 +5,7 @@
 
 #include "crystal/crystal_mesh.h"
 #include "trace/exit_list.h"
-#include "trace/kernels.h"
+#include "trace/lane_steps.h"
 #include "trace/ray_queue.h"
 
 namespace parhelion {
@@ -16,7 +16,7 @@ struct TracedRays {
   const ExitList& exits;
   int members;  // rays a bundle; fewer than the queue has room for where the run's last bundle is cut short
   const CrystalMesh& mesh;
-  const Kernels& kernels;  // for whoever has more to do to many exits at a time
+  const LaneSteps& steps;  // for whoever has more to do to many exits at a time
 };
 
 /// Puts things that belong to rays in the order of their bundles: those of the bundle at a place of the queue are

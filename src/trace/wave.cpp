@@ -51,13 +51,13 @@ int Wave::bundles(const Cloud& cloud) {
   return std::max(32, kRays / cloud.bundleSize()) - RayQueue::kSpare;
 }
 
-Wave::Wave(const Cloud& cloud, const Engines& engines, const TraceSettings& settings, const Kernels& kernels)
+Wave::Wave(const Cloud& cloud, const Engines& engines, const TraceSettings& settings, const LaneSteps& steps)
     : cloud_(cloud),
       engines_(engines),
-      kernels_(kernels),
+      steps_(steps),
       seed_(settings.seed),
       rule_(pathRule(settings.path)),
-      source_(cloud, settings, bundles(cloud), kernels),
+      source_(cloud, settings, bundles(cloud), steps),
       pool_(emptyPool()) {}
 
 void Wave::trace(std::uint64_t first, int count, int members, PathTally& tally) {
@@ -66,7 +66,7 @@ void Wave::trace(std::uint64_t first, int count, int members, PathTally& tally) 
     RayQueue& queue = source_.queues()[p];
     if (queue.count == 0) continue;
     follow(queue, p, members);
-    counts_.placed += tally.add({queue, exits_, members, cloud_.populations()[p].mesh(), kernels_});
+    counts_.placed += tally.add({queue, exits_, members, cloud_.populations()[p].mesh(), steps_});
   }
 }
 
@@ -76,7 +76,7 @@ void Wave::follow(RayQueue& queue, int population, int members) {
   energy_ = {};
   for (int member = 0; member < members; ++member) {
     exits_.reserve(queue.count + RayQueue::kSpare);
-    kernels_.enter(faces, seed_, rule_, member, queue, exits_, energy_);
+    steps_.enter(faces, seed_, rule_, member, queue, exits_, energy_);
   }
   counts_.hits += static_cast<std::uint64_t>(members) * queue.count;
 
@@ -85,19 +85,19 @@ void Wave::follow(RayQueue& queue, int population, int members) {
   while (pool_->active > 0) {
     exits_.reserve(RayPool::kRoom + RayQueue::kSpare);
     findFaces(population);
-    kernels_.meetFaces(faces, *pool_, exits_, energy_);
+    steps_.meetFaces(faces, *pool_, exits_, energy_);
     counts_.hits += pool_->active;
     refill(queue, members);
   }
-  kernels_.turnToWorld(queue, exits_);
+  steps_.turnToWorld(queue, exits_);
   count(queue, members);
 }
 
 void Wave::findFaces(int population) {
-  std::visit(Overloaded{[&](const PlanesIntersector& planes) { kernels_.findFaces(planes.slabs(), *pool_); },
+  std::visit(Overloaded{[&](const PlanesIntersector& planes) { steps_.findFaces(planes.slabs(), *pool_); },
                         [&](const EmbreeIntersector& embree) {
                           embree.nameFaces(*pool_);
-                          kernels_.measureFaces(cloud_.faces(population), *pool_);
+                          steps_.measureFaces(cloud_.faces(population), *pool_);
                           counts_.rescued += rescueRays(cloud_.populations()[population].mesh(), *pool_);
                         }},
              engines_[population]);

@@ -31,7 +31,7 @@ class Wave {
   static int bundles(const Cloud& cloud);
 
   /// `engines` must outlive the wave.
-  Wave(const Cloud& cloud, const Engines& engines, const TraceSettings& settings, const Kernels& kernels);
+  Wave(const Cloud& cloud, const Engines& engines, const TraceSettings& settings, const LaneSteps& steps);
 
   /// Traces bundles first ... first + count - 1, count <= bundles(), with so many members each, into `tally`.
   void trace(std::uint64_t first, int count, int members, PathTally& tally);
@@ -48,7 +48,7 @@ class Wave {
 
   const Cloud& cloud_;
   const Engines& engines_;
-  const Kernels& kernels_;
+  const LaneSteps& steps_;
   std::uint64_t seed_;
   PathRule rule_;
   RaySource source_;

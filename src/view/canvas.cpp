@@ -136,22 +136,22 @@ void Canvas::text(std::string_view text, const Vec2& place, double size, const C
   cairo_fill(context);
 }
 
-Layer Canvas::layer() const {
+LineArt Canvas::lineArt() const {
   cairo_surface_t* surface = surface_.get();
   cairo_surface_flush(surface);
-  Layer layer{cairo_image_surface_get_width(surface), cairo_image_surface_get_height(surface), {}};
-  layer.rgba.reserve(4 * static_cast<std::size_t>(layer.width) * static_cast<std::size_t>(layer.height));
+  LineArt lines{cairo_image_surface_get_width(surface), cairo_image_surface_get_height(surface), {}};
+  lines.rgba.reserve(4 * static_cast<std::size_t>(lines.width) * static_cast<std::size_t>(lines.height));
   const unsigned char* data = cairo_image_surface_get_data(surface);
   const std::ptrdiff_t stride = cairo_image_surface_get_stride(surface);
-  for (int y = 0; y < layer.height; ++y)
-    for (int x = 0; x < layer.width; ++x) {
+  for (int y = 0; y < lines.height; ++y)
+    for (int x = 0; x < lines.width; ++x) {
       std::uint32_t pixel;  // alpha in the highest byte, blue in the lowest, in the machine's order
       std::memcpy(&pixel, data + y * stride + 4 * static_cast<std::ptrdiff_t>(x), sizeof pixel);
       const std::uint32_t alpha = pixel >> 24;
-      for (const int shift : {16, 8, 0}) layer.rgba.push_back(straight(pixel >> shift & 0xFF, alpha));
-      layer.rgba.push_back(static_cast<std::uint8_t>(alpha));
+      for (const int shift : {16, 8, 0}) lines.rgba.push_back(straight(pixel >> shift & 0xFF, alpha));
+      lines.rgba.push_back(static_cast<std::uint8_t>(alpha));
     }
-  return layer;
+  return lines;
 }
 
 }  // namespace parhelion

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "math/conventions.h"
-#include "view/layer.h"
+#include "view/line_art.h"
 
 struct _cairo;
 struct _cairo_surface;
@@ -63,7 +63,7 @@ class Canvas {
   void text(std::string_view text, const Vec2& place, double size, const Colour& colour, const Colour& outline);
 
   /// What has been drawn.
-  Layer layer() const;
+  LineArt lineArt() const;
 
  private:
   struct Release {

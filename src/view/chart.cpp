@@ -14,8 +14,8 @@
 #include <string_view>
 #include <system_error>
 
-#include "image/atomic_file.h"
-#include "image/photograph.h"
+#include "picture/atomic_file.h"
+#include "picture/photograph.h"
 
 namespace parhelion {
 namespace {

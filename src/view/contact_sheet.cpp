@@ -148,7 +148,7 @@ Preview contactSheet(const SheetLayout& layout, std::span<const SheetCell> cells
                   Vec2(left, top + layout.pictureHeight + kLineHeight * static_cast<int>(line)), size, kInk,
                   kNoOutline);
   }
-  layOver(sheet, canvas.layer());
+  layOver(sheet, canvas.lineArt());
   return sheet;
 }
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "image/image.h"
-#include "image/tone.h"
+#include "picture/image.h"
+#include "picture/tone.h"
 
 namespace parhelion {
 

@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "image/photograph.h"
-#include "image/tone.h"
+#include "picture/photograph.h"
+#include "picture/tone.h"
 
 namespace parhelion {
 

@@ -3,8 +3,8 @@
 
 #include <cstdint>
 
-#include "image/tally.h"
-#include "image/tone.h"
+#include "picture/tone.h"
+#include "sky/tally.h"
 
 namespace parhelion {
 

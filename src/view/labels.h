@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "image/camera.h"
+#include "sky/camera.h"
 #include "view/canvas.h"
 
 namespace parhelion {

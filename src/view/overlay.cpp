@@ -145,7 +145,7 @@ class Painter {
     for (const auto& s : strokes_) canvas_.lines(s.lines, s.stroke);
     for (const auto& d : discs_) canvas_.disc(d.centre, d.radius, d.colour);
     nameAll();
-    return {canvas_.layer(), labels_.placed()};
+    return {canvas_.lineArt(), labels_.placed()};
   }
 
  private:

@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "image/camera_settings.h"
+#include "sky/camera_settings.h"
 #include "view/labels.h"
-#include "view/layer.h"
+#include "view/line_art.h"
 
 namespace parhelion {
 
@@ -22,7 +22,7 @@ struct OverlaySettings {
 };
 
 struct Overlay {
-  Layer layer;
+  LineArt lines;
   std::vector<PlacedLabel> labels;  // all inside the picture, no two of them overlapping
 };
 
@@ -31,10 +31,10 @@ struct Overlay {
 /// grid of less than 0.1 degrees, for circles beyond (0, pi) and for a scale beyond [0.1, 20].
 Overlay overlay(const CameraSettings& camera, double sunElevation, double index, const OverlaySettings& settings);
 
-/// The layer alone.
-inline Layer drawOverlay(const CameraSettings& camera, double sunElevation, double index,
-                         const OverlaySettings& settings) {
-  return overlay(camera, sunElevation, index, settings).layer;
+/// The lines alone.
+inline LineArt drawOverlay(const CameraSettings& camera, double sunElevation, double index,
+                           const OverlaySettings& settings) {
+  return overlay(camera, sunElevation, index, settings).lines;
 }
 
 }  // namespace parhelion

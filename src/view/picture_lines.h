@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "image/camera.h"
 #include "optics/sky_line.h"
+#include "sky/camera.h"
 #include "view/canvas.h"
 
 namespace parhelion {

@@ -6,8 +6,8 @@
 #include <optional>
 #include <stdexcept>
 
-#include "image/colour_space.h"
 #include "math/rotation.h"
+#include "picture/colour_space.h"
 
 namespace parhelion {
 namespace {

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "image/camera.h"
-#include "image/image.h"
+#include "picture/image.h"
+#include "sky/camera.h"
 
 namespace parhelion {
 

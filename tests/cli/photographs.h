@@ -10,7 +10,7 @@
 #include <random>
 #include <string>
 
-#include "image/photograph.h"
+#include "picture/photograph.h"
 #include "shell.h"
 
 namespace parhelion::test {

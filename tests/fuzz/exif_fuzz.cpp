@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <cstdlib>
 
-#include "image/exif.h"
+#include "picture/exif.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const parhelion::Exif exif = parhelion::readExif({data, size});

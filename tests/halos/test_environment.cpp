@@ -10,9 +10,9 @@
 
 #include "halos/closed_forms.h"
 #include "halos/experiment.h"
-#include "image/camera.h"
-#include "image/radiance.h"
 #include "math/rotation.h"
+#include "sky/camera.h"
+#include "sky/radiance.h"
 #include "trace/film.h"
 
 using namespace parhelion;

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "image/tone.h"
 #include "math/conventions.h"
 #include "math/portable.h"
 #include "painting.h"
+#include "picture/tone.h"
 
 namespace parhelion {
 

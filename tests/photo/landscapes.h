@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "image/image.h"
-#include "image/photograph.h"
+#include "picture/image.h"
+#include "picture/photograph.h"
 
 namespace parhelion {
 

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "image/tone.h"
 #include "math/conventions.h"
 #include "math/portable.h"
+#include "picture/tone.h"
 
 namespace parhelion {
 

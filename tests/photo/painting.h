@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "image/image.h"
 #include "math/random.h"
+#include "picture/image.h"
 
 namespace parhelion {
 

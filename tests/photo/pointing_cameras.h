@@ -8,9 +8,9 @@
 #include <cmath>
 #include <random>
 
-#include "image/camera.h"
 #include "math/rotation.h"
 #include "photo/pointing.h"
+#include "sky/camera.h"
 
 namespace parhelion {
 /// A projection and how far from the axis its test cameras see well.

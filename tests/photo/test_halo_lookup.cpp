@@ -4,10 +4,10 @@
 #include <cmath>
 #include <limits>
 
-#include "image/camera.h"
 #include "math/rotation.h"
 #include "photo/halo_camera.h"
 #include "photo/halo_lookup.h"
+#include "sky/camera.h"
 
 using namespace parhelion;
 

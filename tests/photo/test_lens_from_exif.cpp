@@ -8,9 +8,9 @@
 #include <string>
 #include <utility>
 
-#include "image/camera.h"
 #include "math/rotation.h"
 #include "photo/lens_from_exif.h"
+#include "sky/camera.h"
 
 namespace parhelion {
 namespace {

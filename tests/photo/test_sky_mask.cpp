@@ -3,8 +3,8 @@
 
 #include <stdexcept>
 
-#include "../image/temporary_directory.h"
 #include "photo/sky_mask.h"
+#include "picture/temporary_directory.h"
 
 namespace parhelion {
 

@@ -13,9 +13,9 @@
 #include "math/conventions.h"
 #include "math/portable.h"
 #include "math/random.h"
-#include "recon/act.h"
-#include "recon/allebach.h"
-#include "recon/low_pass.h"
+#include "recon/published/act.h"
+#include "recon/published/allebach.h"
+#include "recon/published/low_pass.h"
 
 namespace parhelion {
 

@@ -10,7 +10,7 @@
 
 #include "math/portable.h"
 #include "math/random.h"
-#include "recon/gonzato_marchand.h"
+#include "recon/published/gonzato_marchand.h"
 
 namespace parhelion {
 

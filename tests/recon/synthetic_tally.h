@@ -7,13 +7,13 @@
 #include <cstdint>
 #include <vector>
 
-#include "image/camera.h"
-#include "image/image.h"
-#include "image/radiance.h"
-#include "image/tally.h"
 #include "math/portable.h"
 #include "math/random.h"
+#include "picture/image.h"
 #include "recon/reconstruct.h"
+#include "sky/camera.h"
+#include "sky/radiance.h"
+#include "sky/tally.h"
 
 namespace parhelion {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "recon/adaptive_filter.h"
+#include "recon/adaptive/adaptive_filter.h"
 #include "synthetic_tally.h"
 
 namespace parhelion {

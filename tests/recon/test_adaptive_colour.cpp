@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "image/colour_space.h"
+#include "picture/colour_space.h"
 #include "synthetic_tally.h"
 
 namespace parhelion {

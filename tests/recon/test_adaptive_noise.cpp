@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "recon/structure_tensor.h"
+#include "recon/adaptive/structure_tensor.h"
 #include "synthetic_tally.h"
 
 namespace parhelion {

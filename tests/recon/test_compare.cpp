@@ -5,7 +5,7 @@
 
 #include <glm/matrix.hpp>
 
-#include "image/colour_space.h"
+#include "picture/colour_space.h"
 #include "recon/compare.h"
 #include "recon/threads.h"
 #include "synthetic_tally.h"

@@ -3,10 +3,10 @@
 
 #include "hit_maps.h"
 #include "math/conventions.h"
-#include "recon/fourier.h"
-#include "recon/gaussian.h"
-#include "recon/glassner.h"
-#include "recon/low_pass.h"
+#include "recon/published/fourier.h"
+#include "recon/published/gaussian.h"
+#include "recon/published/glassner.h"
+#include "recon/published/low_pass.h"
 
 namespace parhelion {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "math/random.h"
-#include "recon/gates.h"
+#include "recon/adaptive/gates.h"
 
 namespace parhelion {
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "hit_maps.h"
-#include "recon/marvasti.h"
+#include "recon/published/marvasti.h"
 
 namespace parhelion {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <doctest/doctest.h>
 
-#include "recon/square_sizes.h"
+#include "recon/published/square_sizes.h"
 #include "synthetic_hits.h"
 
 // Where the method of Gonzato & Marchand fails in the paper's reading, and must not with unit gain.

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <doctest/doctest.h>
 
-#include "recon/sinc_bank.h"
-#include "recon/sinc_kernel.h"
-#include "recon/square_sizes.h"
+#include "recon/published/sinc_bank.h"
+#include "recon/published/sinc_kernel.h"
+#include "recon/published/square_sizes.h"
 #include "synthetic_hits.h"
 
 namespace parhelion {

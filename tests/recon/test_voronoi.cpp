@@ -4,9 +4,9 @@
 #include <set>
 
 #include "hit_maps.h"
-#include "recon/allebach.h"
-#include "recon/nearest_hits.h"
-#include "recon/voronoi.h"
+#include "recon/published/allebach.h"
+#include "recon/published/nearest_hits.h"
+#include "recon/published/voronoi.h"
 
 namespace parhelion {
 namespace {

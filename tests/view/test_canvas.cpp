@@ -12,26 +12,26 @@ namespace {
 
 constexpr Colour kWhite{1.0, 1.0, 1.0, 1.0}, kBlack{0.0, 0.0, 0.0, 1.0};
 
-Layer written(const std::string& text) {
+LineArt written(const std::string& text) {
   Canvas canvas(200, 30);
   canvas.text(text, {2.0, 2.0}, 16.0, kWhite, kBlack);
-  return canvas.layer();
+  return canvas.lineArt();
 }
 
 }  // namespace
 
 TEST_CASE("a canvas begins transparent and keeps straight colours") {
   Canvas canvas(4, 2);
-  CHECK(canvas.layer().rgba == std::vector<std::uint8_t>(32, 0));
+  CHECK(canvas.lineArt().rgba == std::vector<std::uint8_t>(32, 0));
   canvas.rectangle({{1.0, 0.0}, {2.0, 1.0}}, {1.0, 0.5, 0.0, 0.5});
-  const Layer layer = canvas.layer();
-  const auto component = [&](std::size_t c) { return static_cast<int>(layer.rgba[4 + c]); };
+  const LineArt lines = canvas.lineArt();
+  const auto component = [&](std::size_t c) { return static_cast<int>(lines.rgba[4 + c]); };
   CHECK(component(3) == 128);
   CHECK(component(0) == 255);
   // Kept premultiplied in 8 bits, half transparent colours come back within 1.
   CHECK(std::abs(component(1) - 128) <= 1);
   CHECK(component(2) == 0);
-  CHECK(layer.rgba[0 + 3] == 0);
+  CHECK(lines.rgba[0 + 3] == 0);
 }
 
 TEST_CASE("text stays within the box it is said to take") {
@@ -40,14 +40,14 @@ TEST_CASE("text stays within the box it is said to take") {
     Canvas canvas(300, 60);
     const Box box = canvas.textBox(text, 20.0);
     canvas.text(text, {30.0, 15.0}, 20.0, kWhite, kBlack);
-    const Layer layer = canvas.layer();
+    const LineArt lines = canvas.lineArt();
     // The outline stands out by 0.13 of 20 pixels.
     const Box allowed = Box{Vec2(30.0, 15.0), Vec2(30.0, 15.0) + box.size()}.grownBy(3.7);
     bool inside = true;
     int drawn = 0;
     for (int y = 0; y < 60; ++y)
       for (int x = 0; x < 300; ++x)
-        if (layer.rgba[4 * static_cast<std::size_t>(300 * y + x) + 3] > 0) {
+        if (lines.rgba[4 * static_cast<std::size_t>(300 * y + x) + 3] > 0) {
           ++drawn;
           inside = inside && allowed.holds(Vec2(x + 0.5, y + 0.5));
         }
@@ -66,9 +66,9 @@ TEST_CASE("text that is not UTF-8 comes out as replacement characters and later 
 
     Canvas canvas(60, 30);
     canvas.text(bad, {2.0, 2.0}, 10.0, kWhite, kBlack);
-    const Layer before = canvas.layer();
+    const LineArt before = canvas.lineArt();
     canvas.rectangle({{0.0, 0.0}, {60.0, 30.0}}, kWhite);
-    CHECK(canvas.layer().rgba != before.rgba);
+    CHECK(canvas.lineArt().rgba != before.rgba);
   }
   for (const std::string good : {"é", "°", "−", "€", "𝄞"}) CHECK(written(good).rgba != written("\uFFFD").rgba);
 }

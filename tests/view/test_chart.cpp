@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "image/temporary_directory.h"
+#include "picture/temporary_directory.h"
 #include "view/chart.h"
 
 using namespace parhelion;

@@ -10,8 +10,8 @@
 #include <doctest/doctest.h>
 #include <glm/geometric.hpp>
 
-#include "image/camera.h"
 #include "math/rotation.h"
+#include "sky/camera.h"
 
 using namespace parhelion;
 
@@ -48,7 +48,7 @@ CameraSettings cameraOf(Projection projection, double azimuth, double elevation,
 
 CameraSettings wholeSky(int size) { return cameraOf(Projection::fisheyeEqualArea, 0, 90, 180, size, size); }
 
-int alphaAt(const Layer& layer, int x, int y) {
+int alphaAt(const LineArt& layer, int x, int y) {
   return layer
       .rgba[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(layer.width) + static_cast<std::size_t>(x)) +
             3];
@@ -56,20 +56,20 @@ int alphaAt(const Layer& layer, int x, int y) {
 
 /// Calls `look` with the middle and the alpha of each pixel that has been drawn on.
 template <class Look>
-void forEachDrawn(const Layer& layer, Look&& look) {
+void forEachDrawn(const LineArt& layer, Look&& look) {
   for (int y = 0; y < layer.height; ++y)
     for (int x = 0; x < layer.width; ++x)
       if (const int alpha = alphaAt(layer, x, y)) look(Vec2(x + 0.5, y + 0.5), alpha);
 }
 
-int drawnPixels(const Layer& layer) {
+int drawnPixels(const LineArt& layer) {
   int count = 0;
   forEachDrawn(layer, [&](const Vec2&, int) { ++count; });
   return count;
 }
 
 /// Mean distance from `centre`, weighted by alpha, of what is drawn between two radii.
-double meanRadius(const Layer& layer, const Vec2& centre, double from, double to) {
+double meanRadius(const LineArt& layer, const Vec2& centre, double from, double to) {
   double sum = 0.0, weight = 0.0;
   forEachDrawn(layer, [&](const Vec2& p, int alpha) {
     const double r = glm::length(p - centre);
@@ -93,7 +93,7 @@ constexpr double kCentroid = 0.05;  // pixels
 TEST_CASE("the horizon of a level rectilinear camera is the line half way down") {
   OverlaySettings s = bare();
   s.horizon = true;
-  const Layer layer = drawOverlay(cameraOf(Projection::rectilinear, 180, 0, 60, 320, 240), radians(20), kIndex, s);
+  const LineArt layer = drawOverlay(cameraOf(Projection::rectilinear, 180, 0, 60, 320, 240), radians(20), kIndex, s);
   for (const int x : {0, 1, 100, 160, 319}) {
     CAPTURE(x);
     double sum = 0.0, weight = 0.0;
@@ -110,7 +110,7 @@ TEST_CASE("a circle of 22 degrees about the sun has the radius f tan 22 in a rec
   OverlaySettings s = bare();
   s.circles = {radians(22)};
   const CameraSettings settings = cameraOf(Projection::rectilinear, 0, 20, 70, 601, 601);
-  const Layer layer = drawOverlay(settings, radians(20), kIndex, s);
+  const LineArt layer = drawOverlay(settings, radians(20), kIndex, s);
   const double expected = 300.5 / std::tan(radians(35)) * std::tan(radians(22));
   CHECK(std::abs(meanRadius(layer, Vec2(300.5), 0.5 * expected, 300.0) - expected) < kCentroid);
 }
@@ -119,7 +119,7 @@ TEST_CASE("lines of the grid lie where the camera puts their altitude") {
   OverlaySettings s = bare();
   s.gridStep = radians(50);
   const CameraSettings settings = wholeSky(600);
-  const Layer layer = drawOverlay(settings, radians(20), kIndex, s);
+  const LineArt layer = drawOverlay(settings, radians(20), kIndex, s);
   // The one altitude above the horizon, 2 sin(20 degrees) focal lengths from the zenith, and the meridians' ends in it.
   const double expected = Camera(settings).focalLength() * 2.0 * std::sin(radians(20));
   double ring = 0.0;
@@ -133,7 +133,7 @@ TEST_CASE("lines of the grid lie where the camera puts their altitude") {
 
 TEST_CASE("the outermost line of a picture's sun stands at the sun's place") {
   const CameraSettings settings = cameraOf(Projection::fisheyeStereographic, -30, 40, 120, 400, 300);
-  const Layer layer = drawOverlay(settings, radians(35), kIndex, bare());
+  const LineArt layer = drawOverlay(settings, radians(35), kIndex, bare());
   const Vec2 sun = *Camera(settings).project(skyDirection(0.0, radians(35)));
   Vec2 sum(0.0);
   double weight = 0.0;
@@ -150,7 +150,7 @@ TEST_CASE("no line crosses an equirectangular picture from seam to seam") {
   s.circles = {radians(22), radians(9)};
   // The sun is on the seam: everything is within 25 degrees of longitude from it.
   const CameraSettings settings = cameraOf(Projection::equirectangular, 180, 0, 360, 720, 360);
-  const Layer layer = drawOverlay(settings, radians(20), kIndex, s);
+  const LineArt layer = drawOverlay(settings, radians(20), kIndex, s);
   int left = 0, right = 0, middle = 0;
   forEachDrawn(layer, [&](const Vec2& p, int) { ++(p.x < 60.0 ? left : p.x > 660.0 ? right : middle); });
   CHECK(middle == 0);

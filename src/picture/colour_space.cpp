@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "picture/colour_space.h"
+
+#include <glm/matrix.hpp>
+
+namespace parhelion {
+namespace {
+
+Vec3 xyzFromChromaticity(double x, double y) { return {x / y, 1.0, (1.0 - x - y) / y}; }
+
+Mat3 diagonal(const Vec3& d) { return {d.x, 0.0, 0.0, 0.0, d.y, 0.0, 0.0, 0.0, d.z}; }
+
+// ITU-R BT.709: D65 white and the primaries' chromaticities.
+const Vec3 kD65 = xyzFromChromaticity(0.3127, 0.3290);
+
+Mat3 rec709ToXyz() {
+  const Mat3 primaries{xyzFromChromaticity(0.64, 0.33), xyzFromChromaticity(0.30, 0.60),
+                       xyzFromChromaticity(0.15, 0.06)};
+  return primaries * diagonal(glm::inverse(primaries) * kD65);
+}
+
+// Bradford cone responses (Lam 1985; CIE 159:2004, eq. 6). GLM takes columns, the source gives rows.
+const Mat3 kBradford = glm::transpose(Mat3{0.8951, 0.2664, -0.1614, -0.7502, 1.7135, 0.0367, 0.0389, -0.0685, 1.0296});
+
+}  // namespace
+
+Mat3 xyzToRec709(const Vec3& white) {
+  const Mat3 toRec709 = glm::inverse(rec709ToXyz());
+  const Vec3 from = kBradford * white, to = kBradford * kD65;
+  if (!(from.x > 0.0 && from.y > 0.0 && from.z > 0.0)) return toRec709;
+
+  const Mat3 adapted = toRec709 * glm::inverse(kBradford) * diagonal(to / from) * kBradford;
+  return diagonal(1.0 / (adapted * white)) * adapted;  // takes away the last rounding error of the white
+}
+
+}  // namespace parhelion

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "picture/exr.h"
+
+#include <ImfChannelList.h>
+#include <ImfEnvmapAttribute.h>
+#include <ImfFrameBuffer.h>
+#include <ImfInputPart.h>
+#include <ImfMultiPartInputFile.h>
+#include <ImfOutputFile.h>
+#include <ImfStandardAttributes.h>
+
+#include <array>
+#include <charconv>
+#include <cstdlib>
+#include <cstring>
+#include <ctime>
+#include <fstream>
+
+#include "picture/exr_stream.h"
+
+namespace parhelion {
+namespace {
+
+/// SOURCE_DATE_EPOCH as EXR's capDate, "2024:01:31 12:00:00" (UTC); empty if it is not set.
+std::string captureDate() {
+  const char* text = std::getenv("SOURCE_DATE_EPOCH");
+  if (!text) return {};
+  std::int64_t seconds = 0;
+  const char* end = text + std::strlen(text);
+  const auto [stop, error] = std::from_chars(text, end, seconds);
+  constexpr std::int64_t kYear10000 = 253402300800;
+  if (error != std::errc{} || stop != end || seconds < 0 || seconds >= kYear10000) {
+    throw std::runtime_error("SOURCE_DATE_EPOCH: not a number of seconds since 1970");
+  }
+  const std::time_t time = seconds;
+  std::tm utc{};
+  gmtime_r(&time, &utc);
+  std::array<char, 32> date{};
+  std::strftime(date.data(), date.size(), "%Y:%m:%d %H:%M:%S", &utc);
+  return date.data();
+}
+
+Imf::Header beautyHeader(const Image& image, ExrAttributes attributes, Envmap envmap) {
+  Imf::Header header(image.width, image.height);
+  header.compression() = Imf::ZIP_COMPRESSION;
+  for (const Channel& channel : image.channels) header.channels().insert(channel.name, Imf::Channel(Imf::FLOAT));
+  Imf::addChromaticities(header, Imf::Chromaticities());  // the default is Rec.709 with D65
+  if (envmap == Envmap::latLong) Imf::addEnvmap(header, Imf::ENVMAP_LATLONG);
+  if (const std::string date = captureDate(); !date.empty()) attributes["capDate"] = date;
+  insertText(header, attributes);
+  return header;
+}
+
+Imf::Slice sliceOf(const std::vector<float>& samples, const Imath::Box2i& window) {
+  // OpenEXR takes a pointer to non-const for writing too, and only reads from it then.
+  return Imf::Slice::Make(Imf::FLOAT, samples.data(), window);
+}
+
+Image readPart(const std::filesystem::path& path, Imf::MultiPartInputFile& file) {
+  const Imf::Header& header = file.header(0);
+  requireSaneSize(path, header);
+  const Imath::Box2i window = header.dataWindow();
+  Image image{window.max.x - window.min.x + 1, window.max.y - window.min.y + 1, {}};
+  for (auto c = header.channels().begin(); c != header.channels().end(); ++c) image.add(c.name());
+  Imf::FrameBuffer buffer;
+  for (const Channel& channel : image.channels) buffer.insert(channel.name, sliceOf(channel.samples, window));
+  Imf::InputPart part(file, 0);
+  part.setFrameBuffer(buffer);
+  part.readPixels(window.min.y, window.max.y);
+  return image;
+}
+
+DisplayWindow displayOf(const Imf::Header& header) {
+  const Imath::Box2i &data = header.dataWindow(), &display = header.displayWindow();
+  return {display.min.x - data.min.x, display.min.y - data.min.y, display.max.x - display.min.x + 1,
+          display.max.y - display.min.y + 1};
+}
+
+std::optional<Chromaticities> chromaticitiesOf(const Imf::Header& header) {
+  if (!Imf::hasChromaticities(header)) return {};
+  const Imf::Chromaticities& c = Imf::chromaticities(header);
+  const auto vec2 = [](const Imath::V2f& v) { return Vec2{v.x, v.y}; };
+  return Chromaticities{vec2(c.red), vec2(c.green), vec2(c.blue), vec2(c.white)};
+}
+
+}  // namespace
+
+void writeBeautyExr(const std::filesystem::path& path, const Image& image, ExrAttributes attributes, Envmap envmap) {
+  withExrErrors(path, [&] {
+    const Imf::Header header = beautyHeader(image, std::move(attributes), envmap);
+    AtomicFile file(path);
+    {
+      ExrOutput stream(path, file);
+      Imf::OutputFile output(stream, header);
+      Imf::FrameBuffer buffer;
+      for (const Channel& c : image.channels) buffer.insert(c.name, sliceOf(c.samples, header.dataWindow()));
+      output.setFrameBuffer(buffer);
+      output.writePixels(image.height);
+    }  // here OpenEXR writes its table of scan lines
+    file.commit();
+  });
+}
+
+bool isExr(const std::filesystem::path& path) {
+  constexpr std::array<char, 4> kMagic{0x76, 0x2f, 0x31, 0x01};
+  std::array<char, 4> start{};
+  std::ifstream(path, std::ios::binary).read(start.data(), start.size());
+  return start == kMagic;
+}
+
+ExrFile readExr(const std::filesystem::path& path) {
+  requireSaneHeaders(path);
+  return withExrErrors(path, [&] {
+    Imf::MultiPartInputFile file(path.c_str(), 0, false);  // no threads, no guessing at missing scan lines
+    Image image = readPart(path, file);
+    const Imf::Header& header = file.header(0);
+    return ExrFile{std::move(image), textOf(header), displayOf(header), chromaticitiesOf(header)};
+  });
+}
+
+ExrAttributes readExrAttributes(const std::filesystem::path& path) {
+  requireSaneHeaders(path);
+  return withExrErrors(path, [&] {
+    Imf::MultiPartInputFile file(path.c_str(), 0, false);
+    return textOf(file.header(0));
+  });
+}
+
+}  // namespace parhelion

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "picture/chromaticities.h"
+#include "picture/envmap.h"
+#include "picture/image.h"
+
+namespace parhelion {
+
+/// Text attributes of a file, name to value: "software", "parhelion:version", "parhelion:seed", "parhelion:rays",
+/// "parhelion:scene" and so on. Numbers are text too: EXR has no 64-bit integers.
+using ExrAttributes = std::map<std::string, std::string>;
+
+/// The picture a viewer shows, of which a file may hold a part only, or more.
+struct DisplayWindow {
+  int left = 0;  // pixels, of its upper left corner in the picture of the file
+  int top = 0;
+  int width = 0;
+  int height = 0;
+};
+
+struct ExrFile {
+  Image image;
+  ExrAttributes attributes;
+  DisplayWindow display = {};
+  std::optional<Chromaticities> chromaticities = {};
+};
+
+/// Writes a picture for any viewer: one part, all channels as 32-bit floats, scan lines, ZIP, with the chromaticities
+/// of Rec.709 and, for environment light, the attribute `envmap`. Adds `capDate` if the environment sets
+/// SOURCE_DATE_EPOCH; else the same picture gives the same bytes. In one piece or not at all (atomic_file.h). Throws
+/// std::runtime_error "path: reason".
+void writeBeautyExr(const std::filesystem::path& path, const Image& image, ExrAttributes attributes,
+                    Envmap envmap = Envmap::none);
+
+/// Whether the file begins as EXR files do; false where it cannot be read.
+bool isExr(const std::filesystem::path& path);
+
+/// Reads the first part of any flat scan-line EXR, all channels as floats, and its text attributes. The memory it takes
+/// is bounded by the size of the file. Throws std::runtime_error "path: reason" for whatever is wrong with it.
+ExrFile readExr(const std::filesystem::path& path);
+
+/// Its text attributes alone, whatever its first part is. Throws as readExr does if the header cannot be read.
+ExrAttributes readExrAttributes(const std::filesystem::path& path);
+
+}  // namespace parhelion

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "picture/exr_stream.h"
+
+#include <ImfBoxAttribute.h>
+#include <ImfChannelList.h>
+#include <ImfPartType.h>
+#include <ImfStringAttribute.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <system_error>
+
+#include "picture/image.h"
+
+namespace parhelion {
+namespace {
+
+/// Walks through the headers of an EXR file. OpenEXR file layout, "Header": attributes are name, type, size, value;
+/// an empty name ends a header, in a multi-part file another empty name ends the list of headers.
+class HeaderWalk {
+ public:
+  explicit HeaderWalk(const std::filesystem::path& path) : path_(path), stream_(path, std::ios::binary) {
+    if (!stream_) throw exrError(path, std::generic_category().message(errno));
+    size_ = std::filesystem::file_size(path);
+  }
+
+  void run() {
+    constexpr std::uint32_t kMagic = 20000630, kMultiPart = 0x1000;
+    if (number() != kMagic || !stream_) throw exrError(path_, "not an EXR file");
+    const bool multiPart = (number() & kMultiPart) != 0;
+    do {
+      while (attribute()) continue;
+    } while (multiPart && stream_.peek() != 0);
+  }
+
+ private:
+  std::uint32_t number() {  // little endian
+    std::array<unsigned char, 4> b{};
+    stream_.read(reinterpret_cast<char*>(b.data()), b.size());
+    return b[0] | b[1] << 8 | b[2] << 16 | static_cast<std::uint32_t>(b[3]) << 24;
+  }
+
+  std::string name() {
+    constexpr std::size_t kLongest = 255;
+    std::string text;
+    for (int c = stream_.get(); c != 0; c = stream_.get()) {
+      if (!stream_ || text.size() == kLongest) damaged();
+      text.push_back(static_cast<char>(c));
+    }
+    return text;
+  }
+
+  /// Steps over an attribute; false at the end of a header.
+  bool attribute() {
+    if (name().empty()) return false;
+    const std::string type = name();
+    const std::uint32_t bytes = number();
+    if (!stream_ || bytes > size_ - static_cast<std::uint64_t>(stream_.tellg())) damaged();
+    // These carry sizes of their own inside, which OpenEXR trusts.
+    if (type == "stringvector" || type == "idmanifest")
+      throw exrError(path_, "attributes of type " + type + " are not read");
+    stream_.seekg(bytes, std::ios::cur);
+    return true;
+  }
+
+  [[noreturn]] void damaged() const { throw exrError(path_, "the EXR header is damaged or cut off"); }
+
+  const std::filesystem::path& path_;
+  std::ifstream stream_;
+  std::uint64_t size_ = 0;
+};
+
+}  // namespace
+
+std::runtime_error exrError(const std::filesystem::path& path, std::string reason) {
+  std::replace(reason.begin(), reason.end(), '\n', ' ');
+  return std::runtime_error(path.string() + ": " + reason);
+}
+
+void requireSaneHeaders(const std::filesystem::path& path) {
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(path, error);
+  if (error) throw exrError(path, error.message());
+  if (!std::filesystem::is_regular_file(status)) throw exrError(path, "not a regular file");
+  HeaderWalk(path).run();
+  Imf::Header::setMaxImageSize(kMaxImageSide, kMaxImageSide);
+}
+
+void requireSaneSize(const std::filesystem::path& path, const Imf::Header& header) {
+  if ((header.hasType() && header.type() != Imf::SCANLINEIMAGE) || header.hasTileDescription()) {
+    throw exrError(path, "only flat EXR files of scan lines are read");
+  }
+  const Imath::Box2i& window = header.dataWindow();
+  const auto width = static_cast<std::uint64_t>(window.max.x - window.min.x) + 1;
+  const auto height = static_cast<std::uint64_t>(window.max.y - window.min.y) + 1;
+  if (width * height > static_cast<std::uint64_t>(kMaxImagePixels)) throw exrError(path, "the picture is too large");
+
+  std::uint64_t sampleBytes = 0;
+  for (auto c = header.channels().begin(); c != header.channels().end(); ++c) {
+    if (c.channel().xSampling != 1 || c.channel().ySampling != 1) {
+      throw exrError(path, "subsampled channels are not read");
+    }
+    sampleBytes += 4;
+  }
+  // Deflate packs at most 1032 to 1, the other lossless codecs less. DWA deflates what is left of 8 x 8 samples, which
+  // is two or more.
+  constexpr std::uint64_t kMostDeflated = 1100, kBlock = 64;
+  const Imf::Compression codec = header.compression();
+  const bool byBlocks = codec == Imf::DWAA_COMPRESSION || codec == Imf::DWAB_COMPRESSION;
+  const std::uint64_t mostCompressed = kMostDeflated * (byBlocks ? kBlock : 1);
+  if (width * height * sampleBytes / mostCompressed > std::filesystem::file_size(path)) {
+    throw exrError(path, "the header promises more pixels than the file can hold");
+  }
+}
+
+void insertText(Imf::Header& header, const ExrAttributes& attributes) {
+  for (const auto& [name, value] : attributes) header.insert(name, Imf::StringAttribute(value));
+}
+
+ExrAttributes textOf(const Imf::Header& header) {
+  ExrAttributes attributes;
+  for (auto a = header.begin(); a != header.end(); ++a) {
+    const std::string name = a.name();
+    if (name == "type" || name == "name") continue;  // EXR's own, of the part
+    if (const auto* text = dynamic_cast<const Imf::StringAttribute*>(&a.attribute())) attributes[name] = text->value();
+  }
+  return attributes;
+}
+
+}  // namespace parhelion

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace parhelion {
+
+/// Largest width or height, and largest number of pixels, of a picture.
+inline constexpr int kMaxImageSide = 32768;
+inline constexpr int kMaxImagePixels = 1 << 28;
+
+/// One plane of an image, row-major from the top left.
+struct Channel {
+  std::string name;  // "R", "G", "B"; others as files name them
+  std::vector<float> samples;
+};
+
+/// A picture as planes of equal size. R, G, B are linear Rec.709.
+struct Image {
+  int width = 0;
+  int height = 0;
+  std::vector<Channel> channels;
+
+  std::size_t pixels() const { return static_cast<std::size_t>(width) * static_cast<std::size_t>(height); }
+
+  /// A new channel of zeros. References to channels added before end.
+  std::vector<float>& add(std::string name) {
+    return channels.emplace_back(Channel{std::move(name), std::vector<float>(pixels())}).samples;
+  }
+
+  /// The samples of a channel, or null where the image has none of that name.
+  const std::vector<float>* find(std::string_view name) const {
+    for (const Channel& channel : channels) {
+      if (channel.name == name) return &channel.samples;
+    }
+    return nullptr;
+  }
+
+  /// The planes R, G, B; throws std::invalid_argument if one is missing.
+  std::array<const std::vector<float>*, 3> rgb() const {
+    const std::array planes{find("R"), find("G"), find("B")};
+    if (!planes[0] || !planes[1] || !planes[2]) throw std::invalid_argument("the image has no channels R, G, B");
+    return planes;
+  }
+};
+
+}  // namespace parhelion

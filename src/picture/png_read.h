@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+
+#include "picture/stored_picture.h"
+
+namespace parhelion {
+
+/// Reads a PNG of any kind as RGB, or RGBA where it has alpha or a transparent colour: 16 bits if it has them, else 8.
+/// Text chunks go into `text`. Throws std::runtime_error "path: reason" for whatever is wrong with it.
+StoredPicture readPng(const std::filesystem::path& path);
+
+}  // namespace parhelion

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "picture/tone.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "math/portable.h"
+#include "picture/colour_space.h"
+
+namespace parhelion {
+namespace {
+
+constexpr double kBrightShare = 0.99;    // the percentile auto exposure looks at
+constexpr double kHighlightFade = 16.0;  // exposed value at which a colour is half way to white
+
+bool isFinite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+/// Mixes with the grey of the same luminance until no component is negative.
+Vec3 intoGamut(const Vec3& c) {
+  const double lowest = std::min({c.x, c.y, c.z});
+  if (lowest >= 0.0) return c;
+  const double luminance = glm::dot(kRec709Luminance, c);
+  if (luminance <= 0.0) return {0.0, 0.0, 0.0};
+  const double keep = luminance / (luminance - lowest);
+  return glm::max(Vec3(luminance) + keep * (c - Vec3(luminance)), Vec3(0.0));
+}
+
+/// Thresholds of an 8 x 8 ordered dither (Bayer 1973), in (-1/2, 1/2) of a step, by interleaving the bits of x ^ y
+/// and y.
+double ditherThreshold(int x, int y) {
+  int rank = 0;
+  for (int bit = 0; bit < 3; ++bit) {
+    rank = rank * 4 + (((x ^ y) >> bit) & 1) * 2 + ((y >> bit) & 1);
+  }
+  return (rank + 0.5) / 64.0 - 0.5;
+}
+
+}  // namespace
+
+double autoExposure(const Image& image) {
+  const auto [red, green, blue] = image.rgb();
+  std::vector<double> lit;
+  for (std::size_t i = 0; i < image.pixels(); ++i) {
+    const double y = glm::dot(kRec709Luminance, Vec3{(*red)[i], (*green)[i], (*blue)[i]});
+    if (std::isfinite(y) && y > 0.0) lit.push_back(y);
+  }
+  if (lit.empty()) return 0.0;
+  const auto rank = static_cast<std::ptrdiff_t>(kBrightShare * static_cast<double>(lit.size() - 1));
+  std::nth_element(lit.begin(), lit.begin() + rank, lit.end());
+  return -portable::log(lit[static_cast<std::size_t>(rank)]) / portable::log(2.0);
+}
+
+Vec3 toneCurve(const Vec3& exposed) {
+  if (!isFinite(exposed)) return {0.0, 0.0, 0.0};
+  const Vec3 colour = intoGamut(exposed);
+  const double norm = std::max({colour.x, colour.y, colour.z});
+  if (norm <= 0.0) return {0.0, 0.0, 0.0};
+
+  // Written so that neither the square of a huge norm overflows nor a small one loses its colour.
+  const double peak = norm < 1.0 ? norm / std::sqrt(1.0 + norm * norm) : 1.0 / std::sqrt(1.0 + 1.0 / norm / norm);
+  const double fade = norm / kHighlightFade;
+  const double towardWhite = fade < 1.0 ? fade * fade / (1.0 + fade * fade) : 1.0 / (1.0 + 1.0 / fade / fade);
+  const Vec3 scaled = peak * (colour / norm);
+  return scaled + towardWhite * (Vec3(peak) - scaled);
+}
+
+std::uint8_t ditheredStep(double encoded, int x, int y) {
+  const double step = std::floor(encoded * 255.0 + ditherThreshold(x, y) + 0.5);
+  return static_cast<std::uint8_t>(std::clamp(step, 0.0, 255.0));
+}
+
+Preview developPreview(const Image& image, const ToneSettings& settings) {
+  const auto [red, green, blue] = image.rgb();
+  const double exposure = portable::exp(settings.exposureStops * portable::log(2.0));
+  Preview preview{image.width, image.height, std::vector<std::uint8_t>(3 * image.pixels()), 0};
+  for (std::size_t i = 0; i < image.pixels(); ++i) {
+    const Vec3 radiance{(*red)[i], (*green)[i], (*blue)[i]};
+    if (!isFinite(radiance)) ++preview.badPixels;
+    const Vec3 display = toneCurve(exposure * radiance);
+    const int x = static_cast<int>(i % static_cast<std::size_t>(image.width));
+    const int y = static_cast<int>(i / static_cast<std::size_t>(image.width));
+    for (int c = 0; c < 3; ++c) {
+      preview.rgb[3 * i + static_cast<std::size_t>(c)] = ditheredStep(srgbEncode(display[c]), x, y);
+    }
+  }
+  return preview;
+}
+
+}  // namespace parhelion

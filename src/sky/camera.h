@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "math/conventions.h"
+#include "sky/camera_settings.h"
+#include "sky/lens.h"
+
+namespace parhelion {
+
+/// The projection's name as scene files and image attributes spell it, "fisheye-equal-area" for one.
+std::string_view name(Projection projection);
+
+/// Whether the projection has an image circle.
+bool isFisheye(Projection projection);
+
+/// Where in the picture a point of the sky appears. The field of view and the focal length are those of the ideal lens,
+/// which a distortion does not change near the axis. Pixel coordinates: x to the right, y down, pixel (i, j) covers [i,
+/// i + 1) x [j, j + 1). At roll 0 the picture's up is the direction of growing elevation, at the zenith its limit: the
+/// sun's azimuth is at the bottom. The observer's right is at the picture's right, always.
+class Camera {
+ public:
+  /// Throws std::invalid_argument for settings out of range.
+  explicit Camera(const CameraSettings& settings);
+
+  const CameraSettings& settings() const { return settings_; }
+  int width() const { return settings_.width; }
+  int height() const { return settings_.height; }
+
+  /// Pixels per radian along the optical axis (equirectangular: of longitude and latitude).
+  double focalLength() const { return focal_; }
+
+  /// Whether the picture's left half shows the mirror image, in the sun's vertical plane, of what its right half shows.
+  bool isMirrorSymmetric() const;
+
+  /// Pixel coordinates of the sky point toward the unit world vector `toSky`; none outside the picture, behind a
+  /// rectilinear camera and outside the image circle. Light exactly on the border counts as inside.
+  std::optional<Vec2> project(const Vec3& toSky) const;
+
+  /// The same, also beyond the picture's borders; none behind a rectilinear camera and outside the image circle.
+  std::optional<Vec2> placeOf(const Vec3& toSky) const;
+
+  /// The same for lanes.
+  Lens lens() const {
+    const auto triple = [](const Vec3& v) { return Triple<double>{v.x, v.y, v.z}; };
+    return {settings_.projection,
+            static_cast<double>(settings_.width),
+            static_cast<double>(settings_.height),
+            triple(right_),
+            triple(up_),
+            triple(forward_),
+            centre_.x,
+            centre_.y,
+            focal_,
+            minCosine_,
+            settings_.distortion};
+  }
+
+  /// Row-major index of the pixel in which project(toSky) lies.
+  std::optional<int> pixelAt(const Vec3& toSky) const {
+    const std::optional<Vec2> p = project(toSky);
+    if (!p) return std::nullopt;
+    return static_cast<int>(p->y) * settings_.width + static_cast<int>(p->x);
+  }
+
+  /// Unit world vector toward the sky point at a place in the picture; none where the picture shows no sky.
+  std::optional<Vec3> toSky(Vec2 pixel) const;
+
+  /// The same, also beyond the picture's borders.
+  std::optional<Vec3> directionAt(Vec2 pixel) const;
+
+  /// Solid angle (sr) of the part of a pixel that shows sky; 0 if none does. The error is below 1e-10 of a whole pixel,
+  /// of a lens with distortion that nears the fold of its picture below 1e-6.
+  double solidAngle(int x, int y) const;
+
+  /// The same for all pixels, row-major.
+  std::vector<double> solidAngles() const;
+
+ private:
+  /// cos theta, and sin theta over the radius, of the angle theta that appears at a radius of the ideal lens.
+  struct AxisAngle {
+    double cosine, sinePerRadius;
+  };
+  AxisAngle atSquaredRadius(double squared) const;  // focal lengths, not of an equirectangular picture
+
+  /// (1 - cos theta) / r^2 at a distance r from the centre of the distorted picture, given its square.
+  double distortedHeight(double squared) const;
+
+  void limitDistortion();
+  double azimuthalSolidAngle(Vec2 lo, Vec2 hi) const;
+
+  CameraSettings settings_;
+  Vec3 right_, up_, forward_;  // world, orthonormal
+  Vec2 centre_;                // pixels
+  double focal_;               // pixels
+  double idealRadius_;         // of what an ideal lens would show, focal lengths; infinite without an end
+  double circleRadius_;        // the same where the lens shows it: of the image circle
+  double minCosine_;           // of angles from the axis inside the circle, with slack for rounding
+};
+
+inline std::optional<Vec2> Camera::project(const Vec3& toSky) const {
+  const auto [inside, x, y] = lens().project<double>({toSky.x, toSky.y, toSky.z});
+  if (!inside) return std::nullopt;
+  return Vec2(x, y);
+}
+
+inline std::optional<Vec2> Camera::placeOf(const Vec3& toSky) const {
+  const auto [seen, x, y] = lens().place<double>({toSky.x, toSky.y, toSky.z});
+  if (!seen) return std::nullopt;
+  return Vec2(x, y);
+}
+
+}  // namespace parhelion

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "math/conventions.h"
+#include "sky/distortion.h"
+
+namespace parhelion {
+
+/// How an angle theta from the optical axis becomes a distance r from the image's centre, in units of the focal length.
+enum class Projection {
+  rectilinear,           // r = tan theta
+  fisheyeEqualArea,      // r = 2 sin(theta / 2)
+  fisheyeEquidistant,    // r = theta
+  fisheyeStereographic,  // r = 2 tan(theta / 2)
+  fisheyeOrthographic,   // r = sin theta
+  equirectangular,       // x = longitude, y = latitude of the camera's frame
+};
+
+/// Which extent of the image `fieldOfView` is measured along.
+enum class FieldOfViewAxis { horizontal, vertical, diagonal };
+
+struct CameraSettings {
+  Projection projection = Projection::fisheyeEqualArea;
+  double azimuth = 0.0;          // rad, of the optical axis, from the sun
+  double elevation = 0.5 * kPi;  // rad, of the optical axis
+  double roll = 0.0;             // rad, clockwise turn of the camera as its user sees it
+  FieldOfViewAxis fieldOfViewAxis = FieldOfViewAxis::horizontal;
+  double fieldOfView = kPi;  // rad, from border to border of the image
+  double imageCircle = 0.0;  // rad, full angle a fisheye lens covers; 0: the larger of pi and the field of view
+  Distortion distortion;     // of a lens that is not ideal; never of an equirectangular picture
+  int width = 1024;          // pixels
+  int height = 1024;         // pixels
+
+  bool operator==(const CameraSettings&) const = default;
+};
+
+}  // namespace parhelion

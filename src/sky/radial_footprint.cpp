@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sky/radial_footprint.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace parhelion {
+namespace {
+
+// A cell of the picture is spread as if the place among the rings changed evenly across it, with corrections for how
+// its second differences and the density of solid angle shift the shares. Where those are larger than this (the second
+// differences relative to the first; the change of the density from side to side, relative), the cell is split into
+// four. With these bounds an edge across a pixel is off by up to about 5e-4 of the pixel.
+constexpr double kLargestBend = 0.03;
+constexpr double kSteepest = 0.1;
+// Splitting ends at 1/32 of a pixel: at the centre, at its antipode, and on the border of the sky.
+constexpr int kDeepest = 5;
+
+constexpr double kSlack = 1e-12;  // of the picture, for rounding at the border of the sky
+
+/// How x gx + y gy is distributed over a unit square about the origin: a trapezoid, with a >= b >= 0 the larger and
+/// the smaller of |gx| and |gy|, and a > 0.
+class Trapezoid {
+ public:
+  Trapezoid(double a, double b) : a_(a), b_(b), reach_(0.5 * (a + b)), flat_(0.5 * (a - b)) {}
+
+  /// Share below t.
+  double below(double t) const {
+    const double corner = reach_ - std::abs(t);
+    if (corner <= 0.0) return t < 0.0 ? 0.0 : 1.0;
+    if (std::abs(t) < flat_) return 0.5 + t / a_;
+    const double share = 0.5 * (corner / a_) * (corner / b_);
+    return t < 0.0 ? share : 1.0 - share;
+  }
+
+  /// How much a density that grows with x gx + y gy lowers the share below t, per shift of the mean.
+  double lowering(double t) const {
+    const double s = std::abs(t);
+    if (s >= reach_) return 0.0;
+    const auto corner = [this](double c, double from) { return c / a_ * (c / b_) * (reach_ + 2.0 * from) / 6.0; };
+    const double moment =  // of the values beyond s
+        s < flat_ ? (b_ / a_) * (reach_ + 2.0 * flat_) / 6.0 + 0.5 * (flat_ - s) * (flat_ + s) / a_
+                  : corner(reach_ - s, s);
+    return 12.0 * moment / (a_ * a_ + b_ * b_);
+  }
+
+ private:
+  double a_, b_, reach_, flat_;
+};
+
+/// Solid angle of a small triangle.
+double triangle(const Vec3& a, const Vec3& b, const Vec3& c) {
+  return 0.5 * std::abs(glm::dot(glm::cross(b - a, c - a), a));
+}
+
+/// Change from pixel to pixel, given the values of the pixel before, the pixel and the one after, as far as the picture
+/// has them: the lesser of the two, because a neighbour cut by the image circle tells nothing.
+double lesserChange(const double* before, double here, const double* after) {
+  const double down = before ? here - *before : 0.0, up = after ? *after - here : 0.0;
+  if (!before || !after) return down + up;
+  return std::abs(down) < std::abs(up) ? down : up;
+}
+
+}  // namespace
+
+SkyBorder::SkyBorder(const Camera& camera)
+    : fisheye_(isFisheye(camera.settings().projection)),
+      centre_(0.5 * camera.width(), 0.5 * camera.height()),
+      reach_(camera.focalLength() * Vec2(kPi, 0.5 * kPi)) {
+  if (!fisheye_) return;
+  // Bisection between the centre and a corner: the camera knows its circle as an angle.
+  double inside = 0.0, outside = 1.0;
+  while (outside - inside > kSlack) {
+    const double middle = 0.5 * (inside + outside);
+    (camera.toSky(centre_ * (1.0 - middle)) ? inside : outside) = middle;
+  }
+  reach_ = Vec2(inside * glm::length(centre_));
+}
+
+Vec2 SkyBorder::moved(Vec2 pixel) const {
+  const Vec2 d = pixel - centre_;
+  if (fisheye_) return centre_ + d * (reach_.x * (1.0 - kSlack) / glm::length(d));
+  return centre_ + (1.0 - kSlack) * glm::clamp(d, -reach_, reach_);
+}
+
+Vec2 SkyBorder::innermost(Vec2 lo, double size) const { return glm::clamp(centre_, lo, lo + size); }
+
+RadialFootprint::RadialFootprint(const Camera& camera, const RadialSky& sky)
+    : camera_(camera),
+      sky_(sky),
+      border_(camera),
+      solidAngles_(camera.solidAngles()),
+      share_(static_cast<std::size_t>(sky.bins()), 0.0) {}
+
+void RadialFootprint::setRow(int y) {
+  upper_ = y == row_ + 1 && y > 0 ? std::move(lower_) : cornersAt(y);
+  lower_ = cornersAt(y + 1);
+  row_ = y;
+}
+
+void RadialFootprint::setPixel(int x) {
+  for (int bin = first_; bin <= last_; ++bin) share_[static_cast<std::size_t>(bin)] = 0.0;
+  first_ = sky_.bins();
+  last_ = -1;
+  total_ = 0.0;
+  const double solidAngle = solidAngles_[static_cast<std::size_t>(row_) * camera_.width() + x];
+  if (solidAngle == 0.0) return;
+  slope_ = slopeAt(x);
+  bendX_ = bendAt(x);
+  const Cell cell{{x, row_}, 1.0, {{upper_[x], upper_[x + 1]}, {lower_[x], lower_[x + 1]}}};
+  cover(cell, 0);
+  if (total_ == 0.0) spread(pointAt(border_.innermost(cell.lo, cell.size)).place, 0.0, 0.0, 0.0, 1.0);
+  perShare_ = solidAngle / total_;
+}
+
+RadialFootprint::Point RadialFootprint::pointAt(Vec2 pixel) const {
+  if (const auto toSky = camera_.toSky(pixel)) return {*toSky, sky_.place(*toSky), false};
+  const Vec3 toBorder = camera_.toSky(border_.moved(pixel)).value();
+  return {toBorder, sky_.place(toBorder), true};
+}
+
+/// The corners of the pixels on a horizontal line of the picture.
+std::vector<RadialFootprint::Point> RadialFootprint::cornersAt(int y) const {
+  std::vector<Point> corners;
+  corners.reserve(static_cast<std::size_t>(camera_.width()) + 1);
+  for (int x = 0; x <= camera_.width(); ++x) corners.push_back(pointAt({x, y}));
+  return corners;
+}
+
+Vec2 RadialFootprint::slopeAt(int x) const {
+  const int width = camera_.width(), height = camera_.height();
+  const double* here = &solidAngles_[static_cast<std::size_t>(row_) * width + x];
+  const double alongX = lesserChange(x > 0 ? here - 1 : nullptr, *here, x + 1 < width ? here + 1 : nullptr);
+  const double alongY =
+      lesserChange(row_ > 0 ? here - width : nullptr, *here, row_ + 1 < height ? here + width : nullptr);
+  return Vec2{alongX, alongY} / *here;
+}
+
+double RadialFootprint::bendAt(int x) const {
+  if (camera_.width() < 3) return 0.0;
+  const int first = std::clamp(x, 1, camera_.width() - 2) - 1;  // at the sides, the neighbour's
+  const Point* at = &upper_[static_cast<std::size_t>(first)];
+  return 0.5 * ((at[3].place - at[2].place) - (at[1].place - at[0].place));
+}
+
+double RadialFootprint::area(const Cell& cell, const Point& centre) {
+  const Vec3 &a = cell.at[0][0].toSky, &b = cell.at[0][1].toSky, &c = cell.at[1][1].toSky, &d = cell.at[1][0].toSky;
+  return triangle(centre.toSky, a, b) + triangle(centre.toSky, b, c) + triangle(centre.toSky, c, d) +
+         triangle(centre.toSky, d, a);
+}
+
+void RadialFootprint::cover(const Cell& cell, int depth) {
+  const auto& at = cell.at;
+  const Point centre = pointAt(cell.lo + 0.5 * cell.size);
+  const bool cut = centre.moved || at[0][0].moved || at[0][1].moved || at[1][0].moved || at[1][1].moved;
+  if (cut && !camera_.toSky(border_.innermost(cell.lo, cell.size))) return;
+  const double p00 = at[0][0].place, p10 = at[0][1].place, p01 = at[1][0].place, p11 = at[1][1].place;
+  const double gx = 0.5 * ((p10 - p00) + (p11 - p01)), gy = 0.5 * ((p01 - p00) + (p11 - p10));
+  const double rise = 0.25 * (p00 + p10 + p01 + p11) - centre.place;  // 1/8 of the Laplacian
+  const double xx = cell.size * cell.size * bendX_, yy = 8.0 * rise - xx, xy = p00 - p10 - p01 + p11;
+  const double bend = std::abs(xx) + std::abs(yy) + std::abs(xy);
+  const Vec2 slope = cell.size * slope_;
+  const bool linear = cell.size * bend <= kLargestBend * (std::abs(gx) + std::abs(gy)) &&
+                      cell.size * (std::abs(slope.x) + std::abs(slope.y)) <= kSteepest;
+  if ((cut || !linear) && depth < kDeepest) return split(cell, centre, depth);
+  // Second order along the gradient: the corners are where the linear form has them, what lies between is shifted.
+  // Across it, the rings are curved: that moves the mean alone.
+  const double g2 = gx * gx + gy * gy;
+  const double along = g2 > 0.0 ? (gx * gx * xx + 2.0 * gx * gy * xy + gy * gy * yy) / g2 : 0.0;
+  const double across = xx + yy - along;
+  spread(centre.place + along / 8.0 + across / 24.0, gx, gy, (slope.x * gx + slope.y * gy - along) / 12.0,
+         area(cell, centre));
+}
+
+void RadialFootprint::split(const Cell& cell, const Point& centre, int depth) {
+  const double half = 0.5 * cell.size;
+  Point grid[3][3];
+  for (int j = 0; j < 3; ++j) {
+    for (int i = 0; i < 3; ++i) {
+      const bool corner = i != 1 && j != 1;
+      grid[j][i] = corner ? cell.at[j / 2][i / 2] : pointAt(cell.lo + half * Vec2(i, j));
+    }
+  }
+  grid[1][1] = centre;
+  for (int j = 0; j < 2; ++j) {
+    for (int i = 0; i < 2; ++i) {
+      cover({cell.lo + half * Vec2(i, j), half, {{grid[j][i], grid[j][i + 1]}, {grid[j + 1][i], grid[j + 1][i + 1]}}},
+            depth + 1);
+    }
+  }
+}
+
+/// Adds a cell about `place` with these differences of place from side to side and this shift of its mean.
+void RadialFootprint::spread(double place, double gx, double gy, double shift, double weight) {
+  const double a = std::max(std::abs(gx), std::abs(gy)), b = std::min(std::abs(gx), std::abs(gy));
+  const double reach = 0.5 * (a + b);
+  // Beyond this shift a share would be negative. Only cells that cannot be split further come close.
+  const double most = reach > 0.0 ? (a * a + b * b) / (12.0 * reach) : 0.0;
+  shift = std::clamp(shift, -most, most);
+  const auto binAt = [this](double p) { return std::clamp(static_cast<int>(p), 0, sky_.bins() - 1); };
+  const int from = binAt(place - reach), to = binAt(place + reach);
+  const Trapezoid shape(a, b);
+  double below = 0.0;
+  for (int bin = from; bin <= to; ++bin) {
+    const double next = bin == to ? 1.0 : shape.below(bin + 1 - place) - shift * shape.lowering(bin + 1 - place);
+    share_[static_cast<std::size_t>(bin)] += weight * (next - below);
+    below = next;
+  }
+  first_ = std::min(first_, from);
+  last_ = std::max(last_, to);
+  total_ += weight;
+}
+
+}  // namespace parhelion

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sky/radial_sky.h"
+
+#include <stdexcept>
+
+#include "sky/camera.h"
+#include "sky/radial_footprint.h"
+
+namespace parhelion {
+namespace {
+
+/// The smallest step of a pixel along a radius of the picture, as a chord on the unit sphere.
+double smallestPixel(const Camera& camera) {
+  // A panorama's pixels are as high everywhere; that they get narrow near its poles needs no finer rings.
+  if (camera.settings().projection == Projection::equirectangular) return 1.0 / camera.focalLength();
+  const SkyBorder border(camera);
+  const Vec2 centre{0.5 * camera.width(), 0.5 * camera.height()};
+  double smallest = 1.0 / camera.focalLength();
+  for (const Vec2& side : {Vec2(0.0, centre.y), Vec2(centre.x, 0.0), Vec2(0.0)}) {
+    const Vec2 outer = camera.toSky(side) ? side : border.moved(side);
+    const auto a = camera.toSky(outer), b = camera.toSky(outer + glm::normalize(centre - outer));
+    if (a && b) smallest = std::min(smallest, glm::distance(*a, *b));
+  }
+  return smallest;
+}
+
+/// An even number of rings, so that one ends at 90 degrees.
+int ringsFor(const Camera& camera) {
+  // Few large pixels need rings as fine as the halos themselves: 0.02 to 0.03 degrees keep an edge where it is.
+  constexpr int kFewestRings = 1 << 13, kMostRings = 1 << 16;
+  const double wanted = std::max<double>(kFewestRings, 8.0 * 2.0 * std::sqrt(2.0) / smallestPixel(camera));
+  return wanted < kMostRings ? 2 * static_cast<int>(std::ceil(0.5 * wanted)) : kMostRings;
+}
+
+}  // namespace
+
+RadialSky::RadialSky(const TallyInfo& info, const Vec3& toCentre, int colours)
+    : toCentre_(toCentre), colours_(colours), rings_(static_cast<std::size_t>(ringsFor(Camera(info.camera)))) {
+  if (colours != 1 && colours != 3) throw std::invalid_argument("radial sky: colours must be 1 or 3");
+  perChord_ = static_cast<double>(bins()) / (2.0 * std::sqrt(2.0));
+  const auto inverseOrZero = [](double x) { return x > 0.0 ? 1.0 / x : 0.0; };
+  perWhite_ = {inverseOrZero(info.white.x), 1.0, inverseOrZero(info.white.z)};
+}
+
+void RadialSky::merge(const RadialSky& other) {
+  if (toCentre_ != other.toCentre_ || perWhite_ != other.perWhite_ || colours_ != other.colours_ ||
+      bins() != other.bins()) {
+    throw std::invalid_argument("radial sky: centre, rings or colours differ");
+  }
+  for (std::size_t i = 0; i < rings_.size(); ++i) {
+    for (std::size_t k = 0; k < rings_[i].place.size(); ++k) rings_[i].place[k] += other.rings_[i].place[k];
+  }
+}
+
+void RadialSky::setPixel(Tally& tally, int pixel, const RadialFootprint& footprint) const {
+  std::array<double, 6> sums{};
+  double squaredHits = 0.0;
+  for (int bin = footprint.first(); bin <= footprint.last(); ++bin) {
+    const Ring& ring = rings_[static_cast<std::size_t>(bin)];
+    const double ofRing = footprint.solidAngle(bin) / solidAngle(bin);
+    for (int slot = 0; slot < tally.slots(); ++slot) {
+      const double factor = slot == Tally::kSquares ? ofRing * ofRing : ofRing;
+      sums[static_cast<std::size_t>(slot)] += factor * static_cast<double>(ring.place[static_cast<std::size_t>(slot)]);
+    }
+    squaredHits += ofRing * ofRing * static_cast<double>(ring.place[Tally::kHits]);
+  }
+  // n hits of one weight have the square of their sum n times the sum of their squares.
+  if (squaredHits > 0.0) sums[Tally::kHits] *= sums[Tally::kHits] / squaredHits;
+  for (int slot = 0; slot < tally.slots(); ++slot) {
+    tally.setRaw(pixel, slot, toFixed(sums[static_cast<std::size_t>(slot)], 1.0));
+  }
+}
+
+void RadialSky::spreadOver(Tally& tally) const {
+  if (tally.colours() != colours_) throw std::invalid_argument("radial sky: the tally's colours differ");
+  const Camera camera(tally.info.camera);
+  RadialFootprint footprint(camera, *this);
+  for (int y = 0; y < camera.height(); ++y) {
+    footprint.setRow(y);
+    for (int x = 0; x < camera.width(); ++x) {
+      footprint.setPixel(x);
+      setPixel(tally, y * camera.width() + x, footprint);
+    }
+  }
+}
+
+}  // namespace parhelion

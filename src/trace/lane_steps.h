@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "math/random.h"
+#include "sky/camera.h"
+#include "trace/exit_list.h"
+#include "trace/incidence.h"
+#include "trace/path_rule.h"
+#include "trace/ray_pool.h"
+#include "trace/ray_queue.h"
+#include "trace/slab_table.h"
+#include "trace/trace_settings.h"
+
+namespace parhelion {
+
+/// Bundles of rays whose start is to be drawn, and how it went.
+struct Proposals {
+  const std::uint64_t* bundle;
+  int count;                // at most IncidenceNumbers::kRoom
+  std::uint64_t* rejected;  // room for count + RayQueue::kSpare
+  int rejectedCount;        // grows
+};
+
+/// Sums over exits and lost paths, in the units of ExactSum.
+struct EnergyUnits {
+  std::int64_t out = 0, lost = 0;
+  int lostPaths = 0;
+};
+
+/// Light in pixels of a picture, as arrays with room for all there is to be seen and kSpare more.
+struct SeenLight {
+  int count = 0;
+  AlignedVector<double> pixel;  // row-major
+  AlignedVector<double> energy, ray;
+};
+
+/// The steps that are taken by many rays at a time, compiled once for each set of vector registers.
+struct LaneSteps {
+  int lanes;  // doubles side by side
+
+  /// Philox numbers from `firstBlock` on, two a block, into `blocks` pairs of rows.
+  void (*draw)(std::uint64_t seed, RandomPurpose purpose, const std::uint64_t* bundle, int count,
+               std::uint32_t firstBlock, int blocks, IncidenceNumbers& numbers);
+
+  /// Crystals, light and entry points from numbers; the rays taken go to the queue's end.
+  void (*propose)(const IncidenceTable& table, const IncidenceNumbers& numbers, Proposals& proposals, RayQueue& queue);
+
+  /// The outside of the entry faces for all rays of a member of the bundles.
+  void (*enter)(const FaceTable& faces, std::uint64_t seed, PathRule rule, int member, RayQueue& queue, ExitList& exits,
+                EnergyUnits& energy);
+
+  /// The next face of each ray in the pool, by planes.
+  void (*findFaces)(const SlabTable& slabs, RayPool& pool);
+
+  /// How far it is to the faces that are named as next; takes the name back where the ray does not run toward its face.
+  void (*measureFaces)(const FaceTable& faces, RayPool& pool);
+
+  /// What the faces found make of the light.
+  void (*meetFaces)(const FaceTable& faces, RayPool& pool, ExitList& exits, EnergyUnits& energy);
+
+  /// World directions of the exits, and whether light goes on as if there were no crystal.
+  void (*turnToWorld)(const RayQueue& queue, ExitList& exits);
+
+  /// Adds to `seen` what the observer sees of the exits, or of their mirror images in the sun's vertical plane; without
+  /// undeviated light.
+  void (*see)(const Camera& camera, bool mirrored, const ExitList& exits, SeenLight& seen);
+};
+
+/// The steps for the machine's widest registers, or for those named. Throws std::invalid_argument where the machine
+/// does not have them.
+const LaneSteps& laneSteps(Simd simd = Simd::automatic);
+
+/// What this machine has of baseline, avx2, avx512.
+std::vector<Simd> simdHere();
+
+}  // namespace parhelion

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "view/line_art.h"
+
+#include <stdexcept>
+
+#include "picture/photograph.h"
+
+namespace parhelion {
+
+void layOver(Preview& picture, const LineArt& lines) {
+  if (picture.width != lines.width || picture.height != lines.height)
+    throw std::invalid_argument("lines must have the size of the picture it is laid over");
+  const std::size_t pixels = lines.rgba.size() / 4;
+  for (std::size_t i = 0; i < pixels; ++i) {
+    const int alpha = lines.rgba[4 * i + 3];
+    for (std::size_t c = 0; c < 3; ++c) {
+      std::uint8_t& below = picture.rgb[3 * i + c];
+      const int mixed = alpha * lines.rgba[4 * i + c] + (255 - alpha) * below;
+      below = static_cast<std::uint8_t>((mixed + 127) / 255);
+    }
+  }
+}
+
+void writeLineArt(const std::filesystem::path& path, const LineArt& lines,
+                  const std::map<std::string, std::string>& text) {
+  Photograph picture;
+  picture.width = lines.width;
+  picture.height = lines.height;
+  picture.channels = 4;
+  picture.samples = lines.rgba;
+  writePhotograph(path, picture, text);
+}
+
+}  // namespace parhelion

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <set>
+
+#include "picture/photograph.h"
+#include "rendered_sky.h"
+#include "sky/tally_exr.h"
+
+using namespace parhelion::test;
+using parhelion::Photograph;
+using parhelion::readPhotograph;
+
+namespace {
+
+std::vector<std::uint8_t> samples(const Photograph& photograph) {
+  return std::get<std::vector<std::uint8_t>>(photograph.samples);
+}
+
+const std::string kCamera =
+    " --projection fisheye-equal-area --fov-horizontal 90 --azimuth 0 --elevation 25 --roll 0 "
+    "--sun-elevation 20 ";
+
+}  // namespace
+
+TEST_CASE("a sky without lines and filters is its preview, and a photograph is itself") {
+  WithSky folder;
+  const Outcome outcome = run(folder, "parhelion view s.exr -o v.png");
+  CHECK(outcome.exit == 0);
+  CHECK(outcome.out.empty());
+  CHECK(outcome.err.find("exposure") != std::string::npos);
+  CHECK(outcome.err.find("wrote v.png") != std::string::npos);
+  CHECK(samples(readPhotograph(folder / "v.png")) == samples(readPhotograph(folder / "s.png")));
+  CHECK(run(folder, "parhelion view s.png -o w.png --quiet").err.empty());
+  CHECK(samples(readPhotograph(folder / "w.png")) == samples(readPhotograph(folder / "s.png")));
+  // Its scene goes along, so that a view can be viewed again.
+  CHECK(readPhotograph(folder / "v.png").text.at("parhelion:scene").find("columns") != std::string::npos);
+  CHECK(run(folder, "parhelion view v.png --grid -o again.png").exit == 0);
+}
+
+TEST_CASE("the lines over a sky are those over its preview with the same camera, and those of the layer") {
+  WithSky folder;
+  REQUIRE(run(folder, "parhelion view s.exr --overlay --layer sky.png -o a.png").exit == 0);
+  REQUIRE(run(folder, "parhelion view s.png --overlay --layer photo.png -o b.png" + kCamera).exit == 0);
+  CHECK(samples(readPhotograph(folder / "a.png")) == samples(readPhotograph(folder / "b.png")));
+  const Photograph layer = readPhotograph(folder / "sky.png");
+  CHECK(layer.channels == 4);
+  CHECK(samples(layer) == samples(readPhotograph(folder / "photo.png")));
+  CHECK(samples(readPhotograph(folder / "a.png")) != samples(readPhotograph(folder / "s.png")));
+}
+
+TEST_CASE("each line can be asked for by itself, with and without numbers") {
+  WithSky folder;
+  std::set<std::vector<std::uint8_t>> different;
+  for (const std::string lines : {"--grid", "--grid 20", "--circles", "--circles 22", "--circles 22,46",
+                                  "--horizon-line", "--zenith --grid", "--halos", "--halos --labels", "--overlay"}) {
+    const Outcome outcome = run(folder, "parhelion view s.exr -o v.png " + lines);
+    CHECK_MESSAGE(outcome.exit == 0, lines << outcome.err);
+    different.insert(samples(readPhotograph(folder / "v.png")));
+  }
+  CHECK(different.size() >= 9);  // this picture does not show the zenith
+}
+
+TEST_CASE("side by side both pictures are treated alike") {
+  WithSky folder;
+  REQUIRE(run(folder, "parhelion view s.png --beside s.png --unsharp 3,5 -o both.png").exit == 0);
+  REQUIRE(run(folder, "parhelion view s.png --unsharp 3,5 -o one.png").exit == 0);
+  const Photograph both = readPhotograph(folder / "both.png"), one = readPhotograph(folder / "one.png");
+  REQUIRE(both.width == 2 * 96 + 4);
+  const auto sheet = samples(both), half = samples(one);
+  for (std::size_t y = 0; y < 64; ++y)
+    for (std::size_t i = 0; i < 3 * 96; ++i) {
+      CHECK(sheet[3 * 196 * y + i] == half[3 * 96 * y + i]);
+      CHECK(sheet[3 * (196 * y + 100) + i] == half[3 * 96 * y + i]);
+    }
+  CHECK(both.text.count("parhelion:scene") == 0);
+}
+
+TEST_CASE("a picture minus itself is mid-grey, and so is red minus blue of grey") {
+  WithSky folder;
+  REQUIRE(run(folder, "parhelion view s.exr --minus s.exr -o a.png").exit == 0);
+  for (const std::uint8_t value : samples(readPhotograph(folder / "a.png"))) CHECK(value == 128);
+  REQUIRE(run(folder, "parhelion render s.toml -D sun.spectrum=550 -o grey.exr --quiet").exit == 0);
+  REQUIRE(run(folder, "parhelion view grey.exr --red-minus-blue -o b.png").exit == 0);
+  for (const std::uint8_t value : samples(readPhotograph(folder / "b.png"))) CHECK(value == 128);
+}
+
+TEST_CASE("dots are the hits of a tally") {
+  WithSky folder;
+  REQUIRE(run(folder, "parhelion view hits.exr --dots -o dots.png").exit == 0);
+  const parhelion::Tally tally = parhelion::readTallyExr(folder / "hits.exr");
+  const auto page = samples(readPhotograph(folder / "dots.png"));
+  long hits = 0;
+  for (int pixel = 0; pixel < tally.pixels(); ++pixel) {
+    hits += tally.hits(pixel) > 0;
+    CHECK((page[static_cast<std::size_t>(3 * pixel)] == 0) == (tally.hits(pixel) > 0));
+  }
+  CHECK(hits > 20);
+}
+
+TEST_CASE("dots under lines are grey, so that the lines can be read") {
+  WithSky folder;
+  REQUIRE(run(folder, "parhelion view hits.exr --dots --overlay --layer lines.png -o dots.png").exit == 0);
+  const parhelion::Tally tally = parhelion::readTallyExr(folder / "hits.exr");
+  const auto page = samples(readPhotograph(folder / "dots.png")), lines = samples(readPhotograph(folder / "lines.png"));
+  long bare = 0;
+  for (std::size_t pixel = 0; pixel < page.size() / 3; ++pixel) {
+    if (lines[4 * pixel + 3] != 0) continue;
+    const bool hit = tally.hits(static_cast<int>(pixel)) > 0;
+    bare += hit;
+    CHECK(page[3 * pixel] == (hit ? 153 : 255));
+  }
+  CHECK(bare > 10);
+}
+
+TEST_CASE("pictures of one camera and one sun can be taken from each other, and names may end in capitals") {
+  WithSky folder;
+  REQUIRE(run(folder, "parhelion render s.toml --seed 7 -o other.exr --quiet").exit == 0);
+  REQUIRE(run(folder, "parhelion view s.exr --minus other.exr -o V.PNG").exit == 0);
+  CHECK(samples(readPhotograph(folder / "V.PNG")).size() == 3 * 96 * 64);
+  REQUIRE(run(folder, "parhelion view s.exr -o V.JPG").exit == 0);
+  CHECK(readPhotograph(folder / "V.JPG").width == 96);
+  REQUIRE(run(folder, "parhelion view s.exr --profile p.csv --chart P.SVG").exit == 0);
+  CHECK(readFile(folder / "P.SVG").find("<svg") != std::string::npos);
+}
+
+TEST_CASE("a profile has the agreed columns and finds the ring in a sky, its tally, and beside them a photograph") {
+  WithSky folder;
+  const Outcome outcome = run(folder, "parhelion view s.exr --profile - --from 15 --to 40 --bin 1 --quiet");
+  REQUIRE(outcome.exit == 0);
+  CHECK(outcome.err.empty());
+  std::istringstream csv(outcome.out);
+  std::string line;
+  std::getline(csv, line);
+  CHECK(line == "from_deg,to_deg,R,G,B,luminance,stderr,pixels");
+  double brightest = 0.0, where = 0.0;
+  int rows = 0;
+  while (std::getline(csv, line)) {
+    double from, to, r, g, b, y, error;
+    long pixels;
+    REQUIRE(std::sscanf(line.c_str(), "%lf,%lf,%lf,%lf,%lf,%lf,%lf,%ld", &from, &to, &r, &g, &b, &y, &error, &pixels) ==
+            8);
+    CHECK(from == 15.0 + rows);
+    CHECK(to == 16.0 + rows);
+    CHECK(y == doctest::Approx(0.2126 * r + 0.7152 * g + 0.0722 * b).epsilon(1e-3));
+    CHECK(pixels > 0);
+    if (y > brightest) where = from;
+    brightest = std::max(brightest, y);
+    ++rows;
+  }
+  CHECK(rows == 25);
+  CHECK((where == 21.0 || where == 22.0));
+
+  REQUIRE(run(folder, "parhelion view s.png --profile p.csv --beside hits.exr --chart p.svg" + kCamera).exit == 0);
+  const std::string both = readFile(folder / "p.csv");
+  CHECK(both.rfind("from_deg,to_deg,R,G,B,luminance,stderr,pixels,"
+                   "R_other,G_other,B_other,luminance_other,stderr_other,pixels_other\n",
+                   0) == 0);
+  CHECK(lines(both) == 1 + 240);
+  CHECK(readFile(folder / "p.svg").find("hits.exr") != std::string::npos);
+}
+
+TEST_CASE("what the mask takes away is in no bin") {
+  WithSky folder;
+  // Everything bluer than the median is not sky: red minus blue as a mask of 0 and 255.
+  REQUIRE(run(folder, "parhelion view s.png --red-minus-blue --gain 1e9 -o mask.png").exit == 0);
+  const auto pixels = [&](const std::string& options) {
+    long sum = 0, n = 0;
+    std::istringstream csv(run(folder, "parhelion view s.exr --profile - --to 180 --bin 180 --quiet " + options).out);
+    std::string line;
+    while (std::getline(csv, line))
+      if (std::sscanf(line.c_str(), "%*f,%*f,%*f,%*f,%*f,%*f,%*f,%ld", &n) == 1) sum += n;
+    return sum;
+  };
+  const auto mask = samples(readPhotograph(folder / "mask.png"));
+  long sky = 0;
+  for (std::size_t i = 0; i < mask.size(); i += 3) sky += mask[i] > 0;
+  CHECK(pixels("") == 96 * 64);
+  CHECK(sky < 96 * 64);
+  CHECK(pixels("--mask mask.png") == sky);
+}
