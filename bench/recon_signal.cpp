@@ -4,7 +4,7 @@
 #include "csv.h"
 #include "math/overloaded.h"
 #include "math/portable.h"
-#include "math/random.h"
+#include "random_stream.h"
 #include "recon/published/act.h"
 #include "recon/published/gaussian.h"
 #include "recon/published/glassner.h"

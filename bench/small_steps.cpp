@@ -8,9 +8,9 @@
 #include <benchmark/benchmark.h>
 
 #include "csv.h"
-#include "math/random.h"
 #include "math/tabulated_density.h"
 #include "optics/interface.h"
+#include "random_stream.h"
 #include "rays_finders.h"
 #include "rays_queries.h"
 #include "sky/camera.h"
@@ -44,10 +44,10 @@ std::vector<Vec3> directions() {
 }
 
 void philoxBlock(benchmark::State& state) {
-  std::array<std::uint32_t, 4> counter{};
+  PhiloxBlock<std::uint64_t> counter{};
   for (auto _ : state) {
-    ++counter[0];
-    benchmark::DoNotOptimize(philox4x32(counter, {1, 2}));
+    ++counter.a;
+    benchmark::DoNotOptimize(philox(counter, 1));
   }
 }
 

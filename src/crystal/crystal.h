@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
-
 #include "crystal/crystal_mesh.h"
 
 namespace parhelion {
@@ -19,11 +17,6 @@ struct Crystal {
     return f.normal.z == 0.0 ? f.offset : f.offset * stretch;
   }
 
-  double area(int face) const {
-    const Face& f = mesh->faces()[face];
-    return f.normal.z == 0.0 ? f.area * stretch : f.area;
-  }
-
   double surface() const { return mesh->surfaceAcrossC() + mesh->surfaceAlongC() * stretch; }
   double volume() const { return mesh->volume() * stretch; }
 };
@@ -33,19 +26,5 @@ struct EntryPoint {
   int face;    // index into the mesh's faces
   Vec3 point;  // crystal frame, on that face
 };
-
-/// The shadows that a convex crystal's lit faces cast on a plane across the light.
-struct Shadows {
-  std::array<double, kMaxFaces> face;  // as many as the mesh has; 0 for faces in the dark
-  double total;
-};
-Shadows shadowsOf(const Crystal& crystal, const Vec3& lightDirCrystal);
-
-/// The area of a convex crystal's shadow on a plane across `lightDirCrystal` (unit).
-double projectedArea(const Crystal& crystal, const Vec3& lightDirCrystal);
-
-/// A point of the lit side of a convex crystal, uniform over its shadow, for three numbers in (0, 1).
-EntryPoint sampleEntry(const Crystal& crystal, const Shadows& shadows, double u1, double u2, double u3);
-EntryPoint sampleEntry(const Crystal& crystal, const Vec3& lightDirCrystal, double u1, double u2, double u3);
 
 }  // namespace parhelion

@@ -35,7 +35,6 @@ CrystalMesh::CrystalMesh(std::vector<Vec3> vertices, const std::vector<FaceOutli
   checkClosed();
 
   for (const Face& face : faces_) {
-    surface_ += face.area;
     (face.normal.z == 0.0 ? surfaceAlongC_ : surfaceAcrossC_) += face.area;
     volume_ += face.area * face.offset / 3.0;
     for (const Vec3& v : vertices_) convex_ &= glm::dot(face.normal, v) <= face.offset + kPlanarity * radius_;

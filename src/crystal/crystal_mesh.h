@@ -35,7 +35,6 @@ class CrystalMesh {
 
   const std::vector<Vec3>& vertices() const { return vertices_; }
   const std::vector<Face>& faces() const { return faces_; }
-  double surface() const { return surface_; }
   double volume() const { return volume_; }
 
   /// The surface in two parts: of the faces parallel to c, and of all others.
@@ -57,7 +56,7 @@ class CrystalMesh {
 
   std::vector<Vec3> vertices_;
   std::vector<Face> faces_;
-  double surface_ = 0.0, surfaceAlongC_ = 0.0, surfaceAcrossC_ = 0.0, volume_ = 0.0, radius_ = 0.0;
+  double surfaceAlongC_ = 0.0, surfaceAcrossC_ = 0.0, volume_ = 0.0, radius_ = 0.0;
   bool convex_ = true, prismatic_ = true;
 };
 

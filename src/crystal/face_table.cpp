@@ -13,30 +13,23 @@ FaceTable::FaceTable(const CrystalMesh& mesh)
       surfaceAcrossC(mesh.surfaceAcrossC()) {
   for (const Face& face : mesh.faces()) fan = std::max(fan, static_cast<int>(face.fan.size()));
   for (const Face& face : mesh.faces()) {
-    x.push_back(face.normal.x);
-    y.push_back(face.normal.y);
-    z.push_back(face.normal.z);
+    for (int k = 0; k < 3; ++k) normal[k].push_back(face.normal[k]);
     offset.push_back(face.offset);
     area.push_back(face.area);
     areaGrows.push_back(face.normal.z == 0.0 ? 1.0 : 0.0);
 
     const int triangles = static_cast<int>(face.fan.size());
-    const Vec3 corner = mesh.vertices()[face.vertices[0]];
     for (int j = 0; j < fan; ++j) {
-      const int k = std::min(j, triangles - 1);
-      const Vec3 ab = mesh.vertices()[face.vertices[k + 1]] - corner;
-      const Vec3 ac = mesh.vertices()[face.vertices[k + 2]] - corner;
-      triangleArea.push_back(face.fan[k]);
-      triangleLimit.push_back(k + 1 < triangles ? face.fan[k] : std::numeric_limits<double>::infinity());
-      cornerX.push_back(corner.x);
-      cornerY.push_back(corner.y);
-      cornerZ.push_back(corner.z);
-      abX.push_back(ab.x);
-      abY.push_back(ab.y);
-      abZ.push_back(ab.z);
-      acX.push_back(ac.x);
-      acY.push_back(ac.y);
-      acZ.push_back(ac.z);
+      const int triangle = std::min(j, triangles - 1);
+      const Vec3 a = mesh.vertices()[face.vertices[0]];
+      const Vec3 b = mesh.vertices()[face.vertices[triangle + 1]], c = mesh.vertices()[face.vertices[triangle + 2]];
+      triangleArea.push_back(face.fan[triangle]);
+      triangleLimit.push_back(triangle + 1 < triangles ? face.fan[triangle] : std::numeric_limits<double>::infinity());
+      for (int k = 0; k < 3; ++k) {
+        corner[k].push_back(a[k]);
+        ab[k].push_back((b - a)[k]);
+        ac[k].push_back((c - a)[k]);
+      }
     }
   }
 }

@@ -13,7 +13,7 @@ struct FaceTable {
 
   int faces;
   int fan;                        // most triangles of a face; each face has as many places in the arrays of triangles
-  std::vector<double> x, y, z;    // outward unit normals
+  std::vector<double> normal[3];  // unit, outward
   std::vector<double> offset;     // normal . point at stretch 1
   std::vector<double> area;       // at stretch 1
   std::vector<double> areaGrows;  // 1 where the area grows with the stretch, else 0
@@ -22,7 +22,7 @@ struct FaceTable {
   // Of triangle j of face i, at i * fan + j. A point of it is corner + s ab + t ac, s + t <= 1.
   std::vector<double> triangleArea;
   std::vector<double> triangleLimit;  // the same, infinite for a face's last
-  std::vector<double> cornerX, cornerY, cornerZ, abX, abY, abZ, acX, acY, acZ;
+  std::vector<double> corner[3], ab[3], ac[3];
 };
 
 }  // namespace parhelion

@@ -121,9 +121,4 @@ OrientationSampler::OrientationSampler(const OrientationSettings& settings) {
   quantile_.roll = angles_[2].quantile();
 }
 
-Mat3 OrientationSampler::sample(double u1, double u2, double u3) const {
-  const auto [x, y, z] = quantile_.at(u1, u2, u3);
-  return Mat3(x.x, x.y, x.z, y.x, y.y, y.z, z.x, z.y, z.z);
-}
-
 }  // namespace parhelion

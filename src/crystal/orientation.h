@@ -38,9 +38,7 @@ class OrientationSampler {
  public:
   explicit OrientationSampler(const OrientationSettings& settings);
 
-  Mat3 sample(double u1, double u2, double u3) const;
-
-  /// The same for lanes; valid as long as this.
+  /// Valid as long as this.
   const OrientationQuantile& quantile() const { return quantile_; }
 
  private:

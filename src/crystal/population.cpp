@@ -36,6 +36,4 @@ Population::Population(const PopulationSettings& settings)
     throw std::invalid_argument("aspect ratios must lie from 1e-4 to 1e4");
 }
 
-Crystal Population::crystal(double u) const { return {mesh_.get(), aspect_ ? aspect_->sample(u) : 1.0}; }
-
 }  // namespace parhelion

@@ -22,14 +22,10 @@ class Population {
   bool isFullyRandom() const { return fullyRandom_; }
   const CrystalMesh& mesh() const { return *mesh_; }
 
-  /// A crystal for one number in (0, 1); not used when all are alike. Aspect ratios are spread over shares of surface.
-  Crystal crystal(double u) const;
-
-  /// What crystal(u) is stretched by; none when all are alike.
+  /// What the mesh is stretched by along c, spread over shares of surface; none when all crystals are alike.
   const AngleQuantile* stretch() const { return aspect_ ? &aspect_->quantile() : nullptr; }
 
-  /// Crystal-to-world rotation for three numbers in (0, 1).
-  Mat3 orientation(double u1, double u2, double u3) const { return orientation_.sample(u1, u2, u3); }
+  /// How the crystals stand.
   const OrientationQuantile& orientation() const { return orientation_.quantile(); }
 
  private:

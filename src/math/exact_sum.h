@@ -10,15 +10,16 @@ namespace parhelion {
 /// 2^64 terms below 2^23. For the few totals of a run; images and profiles use 64 bits (sky/fixed_point.h).
 class ExactSum {
  public:
+  static constexpr double kScale = 0x1p40;  // units per 1
+
   void add(double x) { units_ += static_cast<std::int64_t>(std::nearbyint(x * kScale)); }
-  /// Adds units of 2^-40.
+  /// Adds units of 1 / kScale.
   void addUnits(std::int64_t units) { units_ += units; }
   void merge(const ExactSum& other) { units_ += other.units_; }
   double value() const { return static_cast<double>(units_) / kScale; }
   bool operator==(const ExactSum&) const = default;
 
  private:
-  static constexpr double kScale = 0x1p40;
   __extension__ using Units = __int128;
   Units units_ = 0;
 };

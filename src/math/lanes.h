@@ -237,12 +237,22 @@ PARHELION_INLINE Triple<T> operator-(const Triple<T>& a, const Triple<T>& b) {
   return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
 template <class T>
+PARHELION_INLINE Triple<T> operator-(const Triple<T>& v) {
+  return {-v.x, -v.y, -v.z};
+}
+template <class T>
 PARHELION_INLINE Triple<T> operator*(const T& s, const Triple<T>& v) {
   return {s * v.x, s * v.y, s * v.z};
 }
 template <class T>
 PARHELION_INLINE T dot(const Triple<T>& a, const Triple<T>& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+/// rows[0 ... 2][index], lane by lane.
+template <class T, class Row>
+PARHELION_INLINE Triple<T> lookUpTriple(const Row* rows, const T& index) {
+  return {lookUp(rows[0].data(), index), lookUp(rows[1].data(), index), lookUp(rows[2].data(), index)};
 }
 
 }  // namespace parhelion

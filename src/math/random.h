@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
 #include <cstdint>
 
 #include "math/lanes.h"
@@ -10,22 +9,33 @@ namespace parhelion {
 
 inline std::uint32_t lowWord(std::uint64_t x) { return static_cast<std::uint32_t>(x); }
 inline std::uint32_t highWord(std::uint64_t x) { return static_cast<std::uint32_t>(x >> 32); }
+inline std::uint64_t fromWords(std::uint32_t high, std::uint32_t low) { return std::uint64_t{high} << 32 | low; }
 
-/// Philox4x32 with ten rounds: a keyed permutation of 128-bit counters, four independent 32-bit words a call.
-/// Salmon, Moraes, Dror & Shaw 2011, "Parallel random numbers: as easy as 1, 2, 3".
-inline std::array<std::uint32_t, 4> philox4x32(std::array<std::uint32_t, 4> counter, std::array<std::uint32_t, 2> key) {
+/// A block of Philox: four words of 32 bits. Each is in the lower half of 64 bits; the upper halves mean nothing.
+template <class Words>
+struct PhiloxBlock {
+  Words a, b, c, d;
+};
+
+/// Philox4x32 with ten rounds: a keyed permutation of 128-bit counters, four independent 32-bit words a call. `Words`
+/// is std::uint64_t, or lanes of it. Salmon, Moraes, Dror & Shaw 2011, "Parallel random numbers: as easy as 1, 2, 3".
+template <class Words>
+PARHELION_INLINE PhiloxBlock<Words> philox(const PhiloxBlock<Words>& counter, std::uint64_t key) {
   constexpr int kRounds = 10;
-  constexpr std::uint64_t kMultiplier0 = 0xD2511F53, kMultiplier1 = 0xCD9E8D57;
+  constexpr std::uint32_t kMultiplier0 = 0xD2511F53, kMultiplier1 = 0xCD9E8D57;
   constexpr std::uint32_t kWeyl0 = 0x9E3779B9, kWeyl1 = 0xBB67AE85;
+  auto [a, b, c, d] = counter;
+  std::uint32_t key0 = lowWord(key), key1 = highWord(key);
   for (int round = 0; round < kRounds; ++round) {
-    const std::uint64_t product0 = kMultiplier0 * counter[0];
-    const std::uint64_t product1 = kMultiplier1 * counter[2];
-    counter = {highWord(product1) ^ counter[1] ^ key[0], lowWord(product1), highWord(product0) ^ counter[3] ^ key[1],
-               lowWord(product0)};
-    key[0] += kWeyl0;
-    key[1] += kWeyl1;
+    const Words product0 = product32(a, kMultiplier0), product1 = product32(c, kMultiplier1);
+    a = (product1 >> 32) ^ b ^ key0;
+    b = product1;
+    c = (product0 >> 32) ^ d ^ key1;
+    d = product0;
+    key0 += kWeyl0;
+    key1 += kWeyl1;
   }
-  return counter;
+  return {a, b, c, d};
 }
 
 /// 64 random bits to a number strictly inside (0, 1), the centre of one of 2^52 equal cells.
@@ -38,6 +48,25 @@ PARHELION_INLINE T toUnitInterval(const WordsOf<T>& bits) {
 
 /// What a ray's random numbers are spent on; each purpose has a stream of its own.
 enum class RandomPurpose : std::uint32_t { incidence = 0, path = 1, pilot = 2, population = 3 };
+
+/// Two words of 64 random bits.
+template <class Words>
+struct RandomWords {
+  Words first, second;
+};
+
+/// Block `block` of the random bits of a ray, or of a bundle of rays, for one purpose: a pure function of its
+/// arguments.
+template <class Words>
+PARHELION_INLINE RandomWords<Words> randomWords(std::uint64_t seed, RandomPurpose purpose, std::uint32_t block,
+                                                const Words& ray) {
+  const Words zero{};
+  const PhiloxBlock<Words> counter{zero + std::uint64_t{block}, zero + static_cast<std::uint64_t>(purpose), ray,
+                                   ray >> 32};
+  const PhiloxBlock<Words> w = philox(counter, seed);
+  constexpr std::uint64_t kLow = 0xFFFFFFFF;
+  return {(w.b << 32) | (w.a & kLow), (w.d << 32) | (w.c & kLow)};
+}
 
 /// The numbers that decide which way light goes at the faces a path meets: xorshift128+ (Vigna 2017, "Further
 /// scramblings of Marsaglia's xorshift generators"), started for each bundle of rays from 128 bits of Philox.
@@ -57,39 +86,10 @@ struct PathRandom {
   }
 };
 
-inline PathRandom<double> pathRandom(std::uint64_t seed, std::uint64_t bundle) {
-  const auto words = philox4x32({0, static_cast<std::uint32_t>(RandomPurpose::path), lowWord(bundle), highWord(bundle)},
-                                {lowWord(seed), highWord(seed)});
-  return {std::uint64_t{words[1]} << 32 | words[0], std::uint64_t{words[3]} << 32 | words[2]};
+template <class T>
+PARHELION_INLINE PathRandom<T> pathRandom(std::uint64_t seed, const WordsOf<T>& bundle) {
+  const RandomWords<WordsOf<T>> start = randomWords<WordsOf<T>>(seed, RandomPurpose::path, 0, bundle);
+  return {start.first, start.second};
 }
-
-/// The random numbers of one ray for one purpose: a pure function of (seed, ray index, purpose, position).
-class RandomStream {
- public:
-  RandomStream(std::uint64_t seed, std::uint64_t rayIndex, RandomPurpose purpose)
-      : seed_(seed), ray_(rayIndex), purpose_(purpose) {}
-
-  /// The next number, strictly inside (0, 1).
-  double next() {
-    if (used_ == 2) refill();
-    return words_[used_++];
-  }
-
- private:
-  void refill() {
-    const auto words = philox4x32({block_++, static_cast<std::uint32_t>(purpose_), lowWord(ray_), highWord(ray_)},
-                                  {lowWord(seed_), highWord(seed_)});
-    words_[0] = toUnitInterval(std::uint64_t{words[1]} << 32 | words[0]);
-    words_[1] = toUnitInterval(std::uint64_t{words[3]} << 32 | words[2]);
-    used_ = 0;
-  }
-
-  std::uint64_t seed_;
-  std::uint64_t ray_;
-  RandomPurpose purpose_;
-  std::uint32_t block_ = 0;
-  int used_ = 2;
-  std::array<double, 2> words_{};
-};
 
 }  // namespace parhelion

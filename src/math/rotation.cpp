@@ -39,15 +39,6 @@ Mat3 rotationZ(double angle) {
   return Mat3(Vec3(c, s, 0), Vec3(-s, c, 0), Vec3(0, 0, 1));
 }
 
-Mat3 crystalOrientation(double zenith, double azimuth, double roll) {
-  const auto sineCosine = [](double angle) {
-    const auto [s, c] = portable::sincos(angle);
-    return SineCosine<double>{s, c};
-  };
-  const auto [x, y, z] = axisRotation(sineCosine(zenith), sineCosine(azimuth), sineCosine(roll));
-  return Mat3(x.x, x.y, x.z, y.x, y.y, y.z, z.x, z.y, z.z);
-}
-
 Mat3 frameAround(const Vec3& axis) {
   // Start from the coordinate axis least parallel to `axis`, so that the cross product cannot vanish.
   const Vec3 start = std::abs(axis.z) < 0.5 ? Vec3(0, 0, 1) : Vec3(1, 0, 0);

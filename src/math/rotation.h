@@ -26,18 +26,15 @@ Mat3 rotationX(double angle);
 Mat3 rotationY(double angle);
 Mat3 rotationZ(double angle);
 
-/// Crystal-to-world rotation of a crystal whose c axis points to zenith angle `zenith` and sky azimuth `azimuth`,
-/// turned by `roll` about that axis. At roll 0 the normals of faces 3 and 6 lie in the vertical plane through the c
-/// axis.
-Mat3 crystalOrientation(double zenith, double azimuth, double roll);
-
-/// The columns of a rotation's matrix, for lanes.
+/// The columns of a rotation's matrix; of a single rotation, or of the lanes of T.
 template <class T>
 struct RotationColumns {
   Triple<T> x, y, z;
 };
 
-/// crystalOrientation() from sines and cosines.
+/// Crystal-to-world rotation of a crystal whose c axis points to a zenith angle and a sky azimuth, turned by `roll`
+/// about that axis; from the angles' sines and cosines. At roll 0 the normals of faces 3 and 6 lie in the vertical
+/// plane through the c axis.
 template <class T>
 PARHELION_INLINE RotationColumns<T> axisRotation(const SineCosine<T>& zenith, const SineCosine<T>& azimuth,
                                                  const SineCosine<T>& roll) {

@@ -27,13 +27,6 @@ inline std::uint32_t reverseBits(std::uint32_t x) {
   return x >> 16 | x << 16;
 }
 
-// toUnitInterval() by way of the number's exponent and mantissa: baseline x86-64 has no vector conversion.
-inline double centre(std::uint32_t upper, std::uint32_t lower) {
-  constexpr std::uint64_t kOne = 0x3FF0000000000000;
-  const std::uint64_t mantissa = std::uint64_t{upper} << 20 | lower >> 12;
-  return std::bit_cast<double>(kOne | mantissa) - (1.0 - 0x1p-53);
-}
-
 }  // namespace
 
 SobolPoints::SobolPoints(std::uint64_t seed) : seed_(seed) {
@@ -42,17 +35,16 @@ SobolPoints::SobolPoints(std::uint64_t seed) : seed_(seed) {
 }
 
 SobolPoints::Scramble SobolPoints::makeScramble(std::uint64_t seed, std::uint32_t block, int dimension) {
-  const auto words = [&](std::uint32_t half) {
-    return philox4x32({static_cast<std::uint32_t>(dimension), kScrambleStream, block, half},
-                      {lowWord(seed), highWord(seed)});
+  const auto words = [&](std::uint64_t half) {
+    return philox<std::uint64_t>({static_cast<std::uint64_t>(dimension), kScrambleStream, block, half}, seed);
   };
-  const auto a = words(0), b = words(1);
-  return {.shift = a[0],
-          .factor = a[1] | 1,
-          .lastFactor = a[2] | 1,
-          .lastShift = a[3],
-          .tailFactor = b[0],
-          .tailShift = b[1]};
+  const PhiloxBlock<std::uint64_t> a = words(0), b = words(1);
+  return {.shift = lowWord(a.a),
+          .factor = lowWord(a.b) | 1,
+          .lastFactor = lowWord(a.c) | 1,
+          .lastShift = lowWord(a.d),
+          .tailFactor = lowWord(b.a),
+          .tailShift = lowWord(b.b)};
 }
 
 SobolPoints::Scramble SobolPoints::scrambleOf(std::uint32_t block, int dimension) const {
@@ -74,7 +66,7 @@ inline SobolPoints::Cell SobolPoints::scrambled(std::uint32_t digits, const Scra
 double SobolPoints::at(std::uint64_t index, int dimension) const {
   assert(dimension >= 0 && dimension < kSobolDimensions);
   const auto cell = scrambled(sobolDigits(lowWord(index), dimension), scrambleOf(highWord(index), dimension));
-  return centre(cell.upper, cell.lower);
+  return toUnitInterval(fromWords(cell.upper, cell.lower));
 }
 
 void SobolPoints::fill(const std::uint64_t* indices, int count, int dimension, double* out) const {
@@ -110,7 +102,7 @@ void SobolPoints::fillChunk(const std::uint64_t* indices, int count, int dimensi
     upper[i] = cell.upper;
     lower[i] = cell.lower;
   }
-  for (int i = 0; i < count; ++i) out[i] = centre(upper[i], lower[i]);
+  for (int i = 0; i < count; ++i) out[i] = toUnitInterval(fromWords(upper[i], lower[i]));
 }
 
 }  // namespace parhelion

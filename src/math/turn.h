@@ -2,7 +2,6 @@
 #pragma once
 
 #include "math/lanes.h"
-#include "math/portable.h"
 
 namespace parhelion {
 
@@ -35,14 +34,5 @@ PARHELION_INLINE SineCosine<T> sincosOfTurnOf(const T& turn) {
   const T sine = select(odd, c, s), cosine = select(odd, s, c);
   return {select(quarter > 1.5, -sine, sine), select((quarter == 1.0) | (quarter == 2.0), -cosine, cosine)};
 }
-
-namespace portable {
-
-inline SinCos sincosOfTurn(double turn) {
-  const auto r = sincosOfTurnOf(turn);
-  return {r.sin, r.cos};
-}
-
-}  // namespace portable
 
 }  // namespace parhelion

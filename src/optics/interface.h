@@ -14,7 +14,6 @@ struct InterfaceOf {
   T reflectance;  // share of the energy, [0, 1]; 1 when totally reflected
   T cosTheta_t;   // cosine of the transmitted ray with the normal; 0 when totally reflected
 };
-using Interface = InterfaceOf<double>;
 
 /// The refractive index behind a surface over that before it, with what else follows from it alone, so that a path
 /// works it out once. Made from a plain number.
@@ -54,7 +53,6 @@ PARHELION_INLINE InterfaceOf<T> fresnel(const T& cosTheta_i, const RelativeIndex
   const T one = all<T>(1.0), reflectance = lower(0.5 * (s * s + p * p) / (divisor * divisor), one);
   return {select(through, reflectance, one), cosTheta_t};
 }
-inline Interface fresnel(double cosTheta_i, const RelativeIndex& index) { return fresnel<double>(cosTheta_i, index); }
 
 /// Direction of the mirrored ray. `normal` is a unit vector, `cosTheta_i` = |lightDir . normal|, and `normal` points to
 /// the side the light comes from. Vector is Vec3, or Triple with T its numbers.
@@ -68,11 +66,6 @@ template <class T, class Vector>
 PARHELION_INLINE Vector refract(const Vector& lightDir, const Vector& normal, const T& cosTheta_i, const T& cosTheta_t,
                                 const RelativeIndexOf<T>& index) {
   return index.perEta * lightDir + (cosTheta_i * index.perEta - cosTheta_t) * normal;
-}
-
-inline Vec3 refract(const Vec3& lightDir, const Vec3& normal, double cosTheta_i, double cosTheta_t,
-                    const RelativeIndex& index) {
-  return refract<double>(lightDir, normal, cosTheta_i, cosTheta_t, index);
 }
 
 /// A vector that rounding alone has put off its length of 1, brought back to it: one step of Newton's method for

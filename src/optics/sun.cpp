@@ -28,12 +28,6 @@ SunDisc Sun::disc() const {
   return {radius_->quantile(), sinRadius_, column(0), column(1), column(2)};
 }
 
-Vec3 Sun::toPoint(double u1, double u2) const {
-  if (!radius_) return toCentre_;
-  const auto [x, y, z] = disc().toPoint(u1, u2);
-  return {x, y, z};
-}
-
 double Sun::radiance(double angle) const {
   if (!radius_) return 0.0;
   const double r = portable::sin(angle) / sinRadius_;

@@ -44,10 +44,7 @@ class Sun {
   /// True when the sun has no extent; then directions cost no random numbers.
   bool isPoint() const { return !radius_; }
 
-  /// Unit world vector toward a point of the disc, for two numbers in (0, 1).
-  Vec3 toPoint(double u1, double u2) const;
-
-  /// The same for lanes, of a sun that has a disc; valid as long as this.
+  /// What the points of the disc are drawn from; of a sun that has one, and valid as long as this.
   SunDisc disc() const;
 
   /// Radiance of the disc at `angle` (rad) from its centre per unit of its whole light, 1/sr; 0 outside. A point sun

@@ -15,9 +15,8 @@ namespace {
 /// consecutive bundles, in integers so that no digits are lost at high indices.
 double goldenQuantile(std::uint64_t seed, std::uint64_t bundle) {
   constexpr std::uint64_t kGolden = 0x9E3779B97F4A7C15;  // 2^64 / golden ratio
-  const auto start =
-      philox4x32({0, 0, 0, 0}, {static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32)});
-  return toUnitInterval((std::uint64_t{start[1]} << 32 | start[0]) + bundle * kGolden);
+  const PhiloxBlock<std::uint64_t> start = philox<std::uint64_t>({}, seed);
+  return toUnitInterval(fromWords(lowWord(start.b), lowWord(start.a)) + bundle * kGolden);
 }
 
 /// Interceptions of so many crystals of one population.

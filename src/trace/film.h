@@ -10,8 +10,8 @@ namespace parhelion {
 /// The symmetry asked for, or the most that the cloud allows where the choice is left.
 Symmetry symmetryOf(const Cloud& cloud, Symmetry asked);
 
-/// What exposes a tally, making use of a symmetry that the cloud must have. `tally` must outlive it, and is complete
-/// when traceRays() is done.
+/// What exposes a tally, making use of a symmetry that the cloud must have. `tally` must be empty and outlive the film,
+/// which is good for one run of traceRays(): when that is done the tally is complete.
 std::unique_ptr<PathTally> makeFilm(Tally& tally, const Cloud& cloud, Symmetry symmetry);
 
 }  // namespace parhelion

@@ -9,11 +9,6 @@
 namespace parhelion {
 namespace {
 
-/// The numbers of three rows at the lanes' places.
-PARHELION_INLINE Triple<Real> lookUpTriple(const RayQueue::Row* rows, const Real& place) {
-  return {lookUp(rows[0].data(), place), lookUp(rows[1].data(), place), lookUp(rows[2].data(), place)};
-}
-
 void turnToWorld(const RayQueue& queue, ExitList& exits) {
   const Words placeBits = Words{} + static_cast<std::uint64_t>(queue.room - 1);
   for (int i = 0; i < exits.count; i += kLanes) {
@@ -24,8 +19,7 @@ void turnToWorld(const RayQueue& queue, ExitList& exits) {
     const Triple<Real> world =
         renormalised(d.x * lookUpTriple(queue.crystalX, place) + d.y * lookUpTriple(queue.crystalY, place) +
                      d.z * lookUpTriple(queue.crystalZ, place));
-    const Triple<Real> change = world - lookUpTriple(queue.lightWorld, place);
-    const Mask undeviated = dot(change, change) < kSameDirection * kSameDirection;
+    const Mask undeviated = isSameDirection<Real>(world, lookUpTriple(queue.lightWorld, place));
     storeTriple(exits.lightDirWorld, i, world);
     store(&exits.undeviated[i], select(undeviated, all<Real>(1.0), Real{}));
   }

@@ -3,36 +3,21 @@
 
 // Part of lane_code.cpp, and of nothing else.
 
-#include "optics/interface.h"
+#include "math/exact_sum.h"
+#include "trace/branch.h"
 #include "trace/intersector.h"
 #include "trace/lane_types.h"
 
 namespace parhelion {
 namespace {
 
-/// What an interface makes of the light that meets it.
-struct BranchLanes {
-  Real reflected, transmitted;  // energy
-  Real cosTheta_t;
-};
-
-/// Each branch carries its share of the light, or one carries all of it by chance. Either way no energy is lost, and
-/// paths end without a bias.
-PARHELION_INLINE BranchLanes branch(const Real& energy, const Real& splitAbove, const Real& random,
-                                    const Real& cosTheta_i, const RelativeIndexOf<Real>& index) {
-  const InterfaceOf<Real> face = fresnel(cosTheta_i, index);
-  const Real whole = select(random < face.reflectance, energy, Real{});
-  const Real reflected = select(energy >= splitAbove, energy * face.reflectance, whole);
-  return {reflected, energy - reflected, face.cosTheta_t};
-}
-
-/// Sums of energies as whole units, so that the order leaves no trace.
+/// Sums of energies in the units of ExactSum, so that the order leaves no trace.
 class UnitSum {
  public:
   PARHELION_INLINE void add(const Real& energy) {
     // Behind 1.5 * 2^52 a number's last bit is a unit; energies are far below 2^11.
     constexpr double kShift = 0x1.8p52;
-    sum_ += bitsAs<Mask>(energy * 0x1p40 + kShift) - bitsAs<Mask>(Real{} + kShift);
+    sum_ += bitsAs<Mask>(energy * ExactSum::kScale + kShift) - bitsAs<Mask>(Real{} + kShift);
   }
   std::int64_t total() const {
     std::int64_t total = 0;
@@ -68,19 +53,16 @@ void enter(const FaceTable& faces, std::uint64_t seed, PathRule rule, int member
     const Triple<Real> normal = normalOf(faces, face);
     const Real cosTheta_i = higher(-dot(normal, light), Real{});
     const RelativeIndexOf<Real> index(load<Real>(&queue.iceIndex[ray]));
-    // The path's first number; the others are drawn from where it stays inside.
-    const RandomWords words = randomWords(seed, RandomPurpose::path, 0, load<Words>(&queue.bundle[i]));
-    PathRandom<Real> random{words.first, words.second};
-    const BranchLanes b = branch(weight, weight * rule.splitShare, random.next(), cosTheta_i, index);
+    auto random = pathRandom<Real>(seed, load<Words>(&queue.bundle[i]));
+    const auto b = branch(light, normal, cosTheta_i, index, weight, weight * rule.splitShare, random.next());
 
     store(&queue.energy[ray], b.transmitted);
-    const Triple<Real> inside = renormalised(refract(light, normal, cosTheta_i, b.cosTheta_t, index));
-    storeTriple(queue.inside, ray, inside);
+    storeTriple(queue.inside, ray, renormalised(b.transmittedDir));
     store(&queue.random0[i], random.state0);
     store(&queue.random1[i], random.state1);
     const Real reflected = select(real, b.reflected, Real{});
     out.add(reflected);
-    leave(reflect(light, normal, cosTheta_i), reflected, counting() + static_cast<double>(ray), Real{}, exits);
+    leave(b.reflectedDir, reflected, counting() + static_cast<double>(ray), Real{}, exits);
   }
   energy.out += out.total();
 }
@@ -122,15 +104,15 @@ PARHELION_INLINE Mask meetFace(const FaceTable& faces, int i, RayPool& pool, Exi
 
   PathRandom<Real> random{load<Words>(&pool.random0[i]), load<Words>(&pool.random1[i])};
   const auto index = RelativeIndexOf<Real>::outOf(load<Real>(&pool.iceIndex[i]), load<Real>(&pool.perIceIndex[i]));
-  const BranchLanes b = branch(energy, load<Real>(&pool.splitAbove[i]), random.next(), cosine, index);
+  // The light comes from inside, where the normal does not point.
+  const auto b =
+      branch(light, -normalOf(faces, face), cosine, index, energy, load<Real>(&pool.splitAbove[i]), random.next());
   store(&pool.random0[i], random.state0);
   store(&pool.random1[i], random.state1);
 
-  // The light comes from inside, where the normal does not point.
-  const Triple<Real> outward = normalOf(faces, face), inward{-outward.x, -outward.y, -outward.z};
   out.add(b.transmitted);
-  leave(refract(light, inward, cosine, b.cosTheta_t, index), b.transmitted, load<Real>(&pool.ray[i]), order, exits);
-  storeTriple(pool.lightDir, i, renormalised(reflect(light, inward, cosine)));
+  leave(b.transmittedDir, b.transmitted, load<Real>(&pool.ray[i]), order, exits);
+  storeTriple(pool.lightDir, i, renormalised(b.reflectedDir));
   store(&pool.energy[i], b.reflected);
   return (b.reflected <= 0.0) | (order >= static_cast<double>(kMostEncounters));
 }

@@ -41,12 +41,16 @@ struct SeenLight {
 struct LaneSteps {
   int lanes;  // doubles side by side
 
+  // How light comes to crystals: lane_incidence.h.
+
   /// Philox numbers from `firstBlock` on, two a block, into `blocks` pairs of rows.
   void (*draw)(std::uint64_t seed, RandomPurpose purpose, const std::uint64_t* bundle, int count,
                std::uint32_t firstBlock, int blocks, IncidenceNumbers& numbers);
 
   /// Crystals, light and entry points from numbers; the rays taken go to the queue's end.
   void (*propose)(const IncidenceTable& table, const IncidenceNumbers& numbers, Proposals& proposals, RayQueue& queue);
+
+  // How it gets through them: lane_paths.h.
 
   /// The outside of the entry faces for all rays of a member of the bundles.
   void (*enter)(const FaceTable& faces, std::uint64_t seed, PathRule rule, int member, RayQueue& queue, ExitList& exits,
@@ -60,6 +64,8 @@ struct LaneSteps {
 
   /// What the faces found make of the light.
   void (*meetFaces)(const FaceTable& faces, RayPool& pool, ExitList& exits, EnergyUnits& energy);
+
+  // What becomes of the light that leaves: lane_exits.h.
 
   /// World directions of the exits, and whether light goes on as if there were no crystal.
   void (*turnToWorld)(const RayQueue& queue, ExitList& exits);

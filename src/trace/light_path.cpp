@@ -7,8 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "math/random.h"
-#include "optics/interface.h"
-#include "trace/path_rule.h"
+#include "trace/branch.h"
 
 namespace parhelion {
 
@@ -24,7 +23,7 @@ class Walk {
         faces_(ray_.crystal.mesh->faces().data()),
         path_(path),
         splitAbove_(ray_.weight * pathRule(settings.path).splitShare),
-        random_(pathRandom(settings.seed, ray_.bundle)),
+        random_(pathRandom<double>(settings.seed, ray_.bundle)),
         into_(ray_.iceIndex),
         outOf_(RelativeIndex::outOf(ray_.iceIndex, 1.0 / ray_.iceIndex)) {}
 
@@ -40,35 +39,11 @@ class Walk {
  private:
   const Vec3& normal() const { return faces_[face_].normal; }
 
-  /// What an interface makes of the light that meets it.
-  struct Branches {
-    double reflected = 0.0, transmitted = 0.0;  // energy
-    Vec3 reflectedDir{}, transmittedDir{};      // unit, crystal frame; only of what carries energy
-  };
-
-  /// The branches at a face of outward normal * `side` on the side the light comes from. Each carries its share of the
-  /// path's energy, or one carries all of it by chance. Either way no energy is lost, and paths end without a bias.
-  Branches meet(const Vec3& lightDir, double side, double cosTheta_i, const RelativeIndex& index) {
-    const Interface face = fresnel(cosTheta_i, index);
-    Branches branches;
-    const double random = random_.next();
-    if (energy_ >= splitAbove_)
-      branches.reflected = energy_ * face.reflectance;
-    else if (random < face.reflectance)
-      branches.reflected = energy_;
-    branches.transmitted = energy_ - branches.reflected;
-    const Vec3 towardLight = side * normal();
-    if (branches.reflected > 0.0) branches.reflectedDir = reflect(lightDir, towardLight, cosTheta_i);
-    if (branches.transmitted > 0.0)
-      branches.transmittedDir = refract(lightDir, towardLight, cosTheta_i, face.cosTheta_t, index);
-    return branches;
-  }
-
   /// The outside of the entry face: part of the light is reflected into the sky, part refracted into the crystal.
   void enter() {
     const Vec3& lightDir = ray_.lightDirCrystal;
     const double cosTheta_i = std::max(0.0, -glm::dot(normal(), lightDir));
-    const Branches branches = meet(lightDir, 1.0, cosTheta_i, into_);
+    const auto branches = branch(lightDir, normal(), cosTheta_i, into_, energy_, splitAbove_, random_.next());
     lightDir_ = renormalised(branches.transmittedDir);
     energy_ = branches.transmitted;
     leave(branches.reflectedDir, branches.reflected);
@@ -87,7 +62,8 @@ class Walk {
     face_ = hit->face;
     ++order_;
 
-    const Branches branches = meet(lightDir_, -1.0, hit->cosine, outOf_);
+    // The light comes from inside, where the normal does not point.
+    const auto branches = branch(lightDir_, -normal(), hit->cosine, outOf_, energy_, splitAbove_, random_.next());
     lightDir_ = renormalised(branches.reflectedDir);
     energy_ = branches.reflected;
     leave(branches.transmittedDir, branches.transmitted);
@@ -99,9 +75,8 @@ class Walk {
     if (path_.recordEncounters)
       path_.encounters.push_back({faces_[face_].number, point_, energy, energy_, leavingDir, lightDir_, order_});
     if (energy <= 0.0) return;
-    const Vec3 world = renormalised(ray_.crystalToWorld * leavingDir), change = world - ray_.lightDirWorld;
-    const bool undeviated = glm::dot(change, change) < kSameDirection * kSameDirection;
-    path_.exits.push_back({world, energy, order_, undeviated});
+    const Vec3 world = renormalised(ray_.crystalToWorld * leavingDir);
+    path_.exits.push_back({world, energy, order_, isSameDirection<double>(world, ray_.lightDirWorld)});
   }
 
   const FaceFinder& engine_;

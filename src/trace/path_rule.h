@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "math/lanes.h"
 #include "trace/trace_settings.h"
 
 namespace parhelion {
@@ -26,5 +27,12 @@ inline constexpr int kMostEncounters = 1'000'000;
 // Two directions closer than this (rad) are one: rounding leaves 1e-15 per encounter, and light deviated by less than
 // this is none of any halo's.
 inline constexpr double kSameDirection = 1e-8;
+
+/// Whether two unit vectors are one direction: of a single ray, or of the lanes of T. Vector is Vec3, or Triple<T>.
+template <class T, class Vector>
+PARHELION_INLINE MaskOf<T> isSameDirection(const Vector& a, const Vector& b) {
+  const Vector change = a - b;
+  return dot(change, change) < kSameDirection * kSameDirection;
+}
 
 }  // namespace parhelion

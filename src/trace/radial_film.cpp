@@ -1,25 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "trace/radial_film.h"
 
+#include <cassert>
+
 namespace parhelion {
 
 int RadialFilm::add(const TracedRays& traced) {
   const auto& [queue, exits, members, mesh, steps] = traced;
+  intercepted_.add(traced);
   byBundle_.sort(queue, exits.ray, exits.count);
   int seen = 0;
   for (int place = 0; place < queue.count; ++place) {
-    for (int member = 0; member < members; ++member)
-      intercepted_ += toFixed(queue.weight[place] * queue.light[queue.ray(member, place)].light);
     deposits_.clear();
     for (int i = byBundle_.begin(place); i < byBundle_.begin(place + 1); ++i) {
       const int exit = byBundle_.item(i);
-      const SpectralSample& light = queue.light[static_cast<int>(exits.ray[exit])];
-      if (exits.undeviated[exit] != 0.0) {
-        undeviated_ += toFixed(exits.energy[exit] * light.light);
-      } else {
-        deposits_.add(sky_.binAt(-exits.lightDir(exit)), exits.energy[exit] * light.xyz);
-        ++seen;
-      }
+      if (exits.undeviated[exit] != 0.0) continue;
+      const Vec3& xyz = queue.light[static_cast<int>(exits.ray[exit])].xyz;
+      deposits_.add(sky_.binAt(-exits.lightDir(exit)), exits.energy[exit] * xyz);
+      ++seen;
     }
     const bool firstHalf = queue.bundle[place] % 2 == 0;
     for (const auto& [ring, xyz] : deposits_.all()) sky_.add(ring, xyz, firstHalf);
@@ -30,8 +28,13 @@ int RadialFilm::add(const TracedRays& traced) {
 void RadialFilm::merge(PathTally& fromThread) {
   auto& other = dynamic_cast<RadialFilm&>(fromThread);
   sky_.merge(other.sky_);
-  tally_.info.intercepted += other.intercepted_;
-  tally_.info.undeviated += other.undeviated_;
+  other.intercepted_.addTo(tally_.info, 1);
+}
+
+void RadialFilm::finish() {
+  assert(!spread_);
+  sky_.spreadOver(tally_);
+  spread_ = true;
 }
 
 }  // namespace parhelion

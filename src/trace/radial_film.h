@@ -3,6 +3,7 @@
 
 #include "sky/radial_sky.h"
 #include "trace/bundle_bins.h"
+#include "trace/intercepted_light.h"
 #include "trace/path_tally.h"
 
 namespace parhelion {
@@ -20,7 +21,7 @@ class RadialFilm : public PathTally {
   void merge(PathTally& fromThread) override;
 
   /// Spreads the rings over the tally's pixels.
-  void finish() override { sky_.spreadOver(tally_); }
+  void finish() override;
 
  private:
   Tally& tally_;
@@ -28,7 +29,8 @@ class RadialFilm : public PathTally {
   RadialSky sky_;
   BundleDeposits<Vec3> deposits_;
   ByBundle byBundle_;
-  std::int64_t intercepted_ = 0, undeviated_ = 0;
+  InterceptedLight intercepted_;
+  bool spread_ = false;  // over the tally's pixels, by finish()
 };
 
 }  // namespace parhelion

@@ -29,8 +29,6 @@ class RaySource {
   /// Ray `index` of the run alone.
   IncidentRay ray(std::uint64_t index);
 
-  const Cloud& cloud() const { return cloud_; }
-
  private:
   struct Place {
     int population, place;

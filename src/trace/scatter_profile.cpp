@@ -12,6 +12,14 @@
 
 namespace parhelion {
 
+namespace {
+
+// Rounding may put light straight back this far beyond the last bin, as a share of the range of angles: a thousand
+// times what the division by the bins' width leaves.
+constexpr double kBeyondLastBin = 1e-12;
+
+}  // namespace
+
 ScatterProfile::ScatterProfile(int bins, double from, double to)
     : from_(from), width_((to - from) / bins), bins_(bins) {}
 
@@ -19,7 +27,7 @@ int ScatterProfile::binAt(double angle) const {
   // The last bin is closed: light straight back belongs to it.
   const double position = (angle - from_) / width_;
   const int last = bins_.size() - 1;
-  if (position < 0.0 || position > (last + 1) * (1.0 + 1e-12)) return kNoBin;
+  if (position < 0.0 || position > (last + 1) * (1.0 + kBeyondLastBin)) return kNoBin;
   return std::min(static_cast<int>(position), last);
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "trace/sky_film.h"
 
+#include <cassert>
+
 namespace parhelion {
 
 int SkyFilm::add(const TracedRays& traced) {
@@ -13,7 +15,7 @@ int SkyFilm::add(const TracedRays& traced) {
   steps.see(camera_, false, exits, seen_);
   if (bothViews) steps.see(camera_, true, exits, seen_);
 
-  countStraight(traced);
+  intercepted_.add(traced);
   byBundle_.sort(queue, seen_.ray, seen_.count);
   for (int place = 0; place < queue.count; ++place) {
     deposits_.clear();
@@ -28,27 +30,17 @@ int SkyFilm::add(const TracedRays& traced) {
   return foldsPicture() ? 2 * seen_.count : seen_.count;
 }
 
-/// Counts the light intercepted, and of that the light that goes straight on.
-void SkyFilm::countStraight(const TracedRays& traced) {
-  const auto& [queue, exits, members, mesh, steps] = traced;
-  for (int member = 0; member < members; ++member)
-    for (int place = 0; place < queue.count; ++place)
-      intercepted_ += toFixed(queue.weight[place] * queue.light[queue.ray(member, place)].light);
-  for (int exit = 0; exit < exits.count; ++exit)
-    if (exits.undeviated[exit] != 0.0)
-      undeviated_ += toFixed(exits.energy[exit] * queue.light[static_cast<int>(exits.ray[exit])].light);
-}
-
 void SkyFilm::merge(PathTally& fromThread) {
   auto& other = dynamic_cast<SkyFilm&>(fromThread);
   other.buffer_.flush();
-  const int images = mirrored_ ? 2 : 1;
-  tally_.info.intercepted += images * other.intercepted_;
-  tally_.info.undeviated += images * other.undeviated_;
+  other.intercepted_.addTo(tally_.info, mirrored_ ? 2 : 1);
 }
 
 void SkyFilm::finish() {
-  if (foldsPicture()) tally_.addMirrorImage();
+  if (!foldsPicture()) return;
+  assert(!folded_);
+  tally_.addMirrorImage();
+  folded_ = true;
 }
 
 }  // namespace parhelion

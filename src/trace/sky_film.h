@@ -5,6 +5,7 @@
 #include "sky/deposit_buffer.h"
 #include "sky/tally.h"
 #include "trace/bundle_bins.h"
+#include "trace/intercepted_light.h"
 #include "trace/path_tally.h"
 
 namespace parhelion {
@@ -28,7 +29,6 @@ class SkyFilm : public PathTally {
  private:
   /// Through a camera that is its own mirror image, the finished picture makes up for a second view of every exit.
   bool foldsPicture() const { return mirrored_ && camera_.isMirrorSymmetric(); }
-  void countStraight(const TracedRays& traced);
   SkyFilm(Tally& tally, bool mirrored, std::shared_ptr<DepositBuffer::Locks> locks)
       : tally_(tally),
         mirrored_(mirrored),
@@ -44,7 +44,8 @@ class SkyFilm : public PathTally {
   BundleDeposits<Vec3> deposits_;
   ByBundle byBundle_;
   SeenLight seen_;
-  std::int64_t intercepted_ = 0, undeviated_ = 0;
+  InterceptedLight intercepted_;
+  bool folded_ = false;  // the tally's picture, by finish()
 };
 
 }  // namespace parhelion

@@ -8,6 +8,7 @@
 #include <doctest/doctest.h>
 #include <glm/geometric.hpp>
 
+#include "crystal/crystal.h"
 #include "math/rotation.h"
 
 using namespace parhelion;
@@ -56,7 +57,7 @@ TEST_CASE("a hexagonal prism has surface 6aL + 3 sqrt(3) a^2 and volume 1.5 sqrt
     INFO("aspect " << aspect);
     const CrystalMesh mesh = hexagonalPrism(aspect);
     const double length = 2.0 * aspect;
-    CHECK(mesh.surface() == doctest::Approx(6.0 * length + 3.0 * kRoot3).epsilon(1e-13));
+    CHECK(Crystal{&mesh}.surface() == doctest::Approx(6.0 * length + 3.0 * kRoot3).epsilon(1e-13));
     CHECK(mesh.volume() == doctest::Approx(1.5 * kRoot3 * length).epsilon(1e-12));
     CHECK(mesh.radius() == doctest::Approx(std::sqrt(1.0 + aspect * aspect)).epsilon(1e-14));
     CHECK(mesh.isConvex());

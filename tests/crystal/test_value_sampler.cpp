@@ -10,7 +10,7 @@
 #include <doctest/doctest.h>
 
 #include "crystal/orientation.h"
-#include "math/random.h"
+#include "random_stream.h"
 #include "statistics.h"
 
 using namespace parhelion;

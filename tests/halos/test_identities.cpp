@@ -59,7 +59,7 @@ SlabLimit slabLimit(double index) {
   constexpr int kSteps = 100'000;
   for (int i = 0; i < kSteps; ++i) {
     const double mu = (i + 0.5) / kSteps;  // cosine of incidence, met in proportion to itself
-    const double reflectance = fresnel(mu, index).reflectance;
+    const double reflectance = fresnel<double>(mu, index).reflectance;
     const double through = (1.0 - reflectance) / (1.0 + reflectance);  // all inner reflections added up
     limit.undeviated += 2.0 * mu * through / kSteps;
     limit.g += 2.0 * mu * (through + (1.0 - through) * (1.0 - 2.0 * mu * mu)) / kSteps;

@@ -118,7 +118,7 @@ TEST_CASE(
 TEST_CASE("the subsun lies below the sun and holds Fresnel's share of what the upper faces intercept") {
   const double aspect = 0.3, sun = radians(20);
   const double top = 1.5 * std::sqrt(3.0) * std::sin(sun), sides = 12.0 * aspect / kPi * std::cos(sun);
-  const double expected = top / (top + sides) * fresnel(std::sin(sun), kIndex).reflectance;
+  const double expected = top / (top + sides) * fresnel<double>(std::sin(sun), kIndex).reflectance;
   SampleMean outside;
   double all = 0.0;
   forEachRay(plates(20, kIndex, aspect), kRays, [&](const LightPath& path) {

@@ -7,7 +7,8 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
-#include "math/random.h"
+#include "orientations.h"
+#include "random_stream.h"
 
 using namespace parhelion;
 

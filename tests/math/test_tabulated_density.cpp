@@ -9,7 +9,7 @@
 
 #include <doctest/doctest.h>
 
-#include "math/random.h"
+#include "random_stream.h"
 #include "statistics.h"
 
 using namespace parhelion;

@@ -27,8 +27,8 @@ void forAnglesOfIncidence(const Test& test) {
 TEST_CASE("at normal incidence ((n - 1) / (n + 1))^2 is reflected") {
   for (const double n : {1.31, 1.0 / 1.31, 1.5, 2.4}) {
     const double r = (n - 1.0) / (n + 1.0);
-    CHECK(fresnel(1.0, n).reflectance == doctest::Approx(r * r).epsilon(1e-13));
-    CHECK(fresnel(1.0, n).cosTheta_t == doctest::Approx(1.0).epsilon(1e-15));
+    CHECK(fresnel<double>(1.0, n).reflectance == doctest::Approx(r * r).epsilon(1e-13));
+    CHECK(fresnel<double>(1.0, n).cosTheta_t == doctest::Approx(1.0).epsilon(1e-15));
   }
 }
 
@@ -37,7 +37,7 @@ TEST_CASE("at Brewster's angle only the s polarisation is reflected") {
     const double theta_i = std::atan(n), theta_t = 0.5 * kPi - theta_i;
     // Fresnel's sine law for s; p is none.
     const double s = std::sin(theta_i - theta_t) / std::sin(theta_i + theta_t);
-    CHECK(fresnel(std::cos(theta_i), n).reflectance == doctest::Approx(0.5 * s * s).epsilon(1e-13));
+    CHECK(fresnel<double>(std::cos(theta_i), n).reflectance == doctest::Approx(0.5 * s * s).epsilon(1e-13));
   }
 }
 
@@ -47,14 +47,15 @@ TEST_CASE("reflectance is the mean of Fresnel's sine and tangent laws") {
     const double theta_t = std::asin(std::sin(theta_i) / kIndex);
     const double s = std::sin(theta_i - theta_t) / std::sin(theta_i + theta_t);
     const double p = std::tan(theta_i - theta_t) / std::tan(theta_i + theta_t);
-    CHECK(fresnel(std::cos(theta_i), kIndex).reflectance == doctest::Approx(0.5 * (s * s + p * p)).epsilon(1e-10));
+    CHECK(fresnel<double>(std::cos(theta_i), kIndex).reflectance ==
+          doctest::Approx(0.5 * (s * s + p * p)).epsilon(1e-10));
   });
 }
 
 TEST_CASE("what is not reflected is transmitted") {
   forAnglesOfIncidence([](double theta_i) {
     const double c = std::cos(theta_i);
-    const auto [reflectance, t] = fresnel(c, kIndex);
+    const auto [reflectance, t] = fresnel<double>(c, kIndex);
     // Transmitted amplitudes and the widths of the beams. Born & Wolf, section 1.5.3.
     const double s = 2.0 * c / (c + kIndex * t), p = 2.0 * c / (kIndex * c + t);
     const double transmittance = c > 0.0 ? kIndex * t / c * 0.5 * (s * s + p * p) : 0.0;
@@ -64,8 +65,8 @@ TEST_CASE("what is not reflected is transmitted") {
 
 TEST_CASE("a path reflects as much from within as from without") {
   forAnglesOfIncidence([](double theta_i) {
-    const auto [outside, cosTheta_t] = fresnel(std::cos(theta_i), kIndex);
-    const auto [inside, cosBack] = fresnel(cosTheta_t, 1.0 / kIndex);
+    const auto [outside, cosTheta_t] = fresnel<double>(std::cos(theta_i), kIndex);
+    const auto [inside, cosBack] = fresnel<double>(cosTheta_t, 1.0 / kIndex);
     // The way back amplifies a rounding of cosTheta_t by the slope of R, without bound toward 90 degrees.
     const double grazing = std::fmax(std::cos(theta_i), 1e-8);
     CHECK(std::abs(inside - outside) < 1e-14 / grazing);
@@ -77,7 +78,7 @@ TEST_CASE("around the critical angle reflectance is finite, at most 1, and rises
   // 1 - R = 2 (n + 1 / n) sqrt(2 step) / sqrt(1 - 1 / n^2) to first order, for sin(theta_i) = (1 - step) / n.
   const double slope = 2.0 * (kIndex + 1.0 / kIndex) * std::sqrt(2.0) / std::sqrt(1.0 - 1.0 / (kIndex * kIndex));
   const auto inside = [](double sine) {
-    return fresnel(std::sqrt((1.0 - sine) * (1.0 + sine)), 1.0 / kIndex).reflectance;
+    return fresnel<double>(std::sqrt((1.0 - sine) * (1.0 + sine)), 1.0 / kIndex).reflectance;
   };
   for (int k = 3; k <= 16; ++k) {
     INFO("k = " << k);
@@ -101,14 +102,14 @@ TEST_CASE("at grazing incidence reflectance tends to 1 without loss of digits") 
   // 1 - R = 2 (n^2 + 1) / sqrt(n^2 - 1) c to first order in the cosine c.
   const double slope = 2.0 * (kIndex * kIndex + 1.0) / std::sqrt(kIndex * kIndex - 1.0);
   for (int k = 3; k <= 9; ++k) {
-    const double c = std::pow(10.0, -k), reflectance = fresnel(c, kIndex).reflectance;
+    const double c = std::pow(10.0, -k), reflectance = fresnel<double>(c, kIndex).reflectance;
     CHECK(reflectance < 1.0);
     CHECK((1.0 - reflectance) / (slope * c) == doctest::Approx(1.0).epsilon(20.0 * c + 1e-15 / c));
   }
   for (const double c : {1e-15, 1e-300, 0.0}) {
-    CHECK(fresnel(c, kIndex).reflectance <= 1.0);
-    CHECK(fresnel(c, kIndex).reflectance > 1.0 - 1e-13);
-    CHECK(fresnel(c, 1.0 / kIndex).reflectance == 1.0);
+    CHECK(fresnel<double>(c, kIndex).reflectance <= 1.0);
+    CHECK(fresnel<double>(c, kIndex).reflectance > 1.0 - 1e-13);
+    CHECK(fresnel<double>(c, 1.0 / kIndex).reflectance == 1.0);
   }
 }
 
@@ -118,7 +119,7 @@ TEST_CASE("light falling from everywhere on a crystal of any convex shape is ref
   double sum = 0.0;
   for (int i = 0; i < kSteps; ++i) {
     const double mu = (i + 0.5) / kSteps;
-    sum += 2.0 * mu * fresnel(mu, kIndex).reflectance / kSteps;
+    sum += 2.0 * mu * fresnel<double>(mu, kIndex).reflectance / kSteps;
   }
   const double n = kIndex, n2 = n * n, n4 = n2 * n2;
   const double closed = 0.5 + (n - 1) * (3 * n + 1) / (6 * (n + 1) * (n + 1)) +
@@ -133,7 +134,7 @@ TEST_CASE("the index 1 neither reflects nor bends") {
   forAnglesOfIncidence([](double theta_i) {
     if (theta_i >= 0.5 * kPi) return;
     const double c = std::cos(theta_i);
-    CHECK(fresnel(c, 1.0).reflectance < 1e-30);
-    CHECK(fresnel(c, 1.0).cosTheta_t == doctest::Approx(c).epsilon(1e-15));
+    CHECK(fresnel<double>(c, 1.0).reflectance < 1e-30);
+    CHECK(fresnel<double>(c, 1.0).cosTheta_t == doctest::Approx(c).epsilon(1e-15));
   });
 }

@@ -6,9 +6,9 @@
 #include <doctest/doctest.h>
 #include <glm/geometric.hpp>
 
-#include "math/random.h"
 #include "math/rotation.h"
 #include "optics/interface.h"
+#include "random_stream.h"
 
 using namespace parhelion;
 
@@ -33,9 +33,9 @@ void forManyRays(const Test& test) {
 /// Refracts light that meets a plane with the outward normal `normal`; nothing when totally reflected.
 std::optional<Vec3> cross(const Vec3& lightDir, const Vec3& normal, double eta) {
   const double cosTheta_i = std::abs(glm::dot(lightDir, normal));
-  const Interface face = fresnel(cosTheta_i, eta);
+  const auto face = fresnel<double>(cosTheta_i, eta);
   if (face.cosTheta_t == 0.0) return std::nullopt;
-  return refract(lightDir, normal, cosTheta_i, face.cosTheta_t, eta);
+  return refract<double>(lightDir, normal, cosTheta_i, face.cosTheta_t, eta);
 }
 
 /// Deviation of a ray that meets a wedge's first face at `theta_i` in the principal section; pi when it cannot leave.

@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "math/random.h"
 #include "picture/image.h"
+#include "random_stream.h"
 
 namespace parhelion {
 

@@ -12,7 +12,7 @@
 
 #include "math/conventions.h"
 #include "math/portable.h"
-#include "math/random.h"
+#include "random_stream.h"
 #include "recon/published/act.h"
 #include "recon/published/allebach.h"
 #include "recon/published/low_pass.h"

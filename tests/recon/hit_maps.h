@@ -14,7 +14,7 @@
 #include <tbb/task_arena.h>
 
 #include "math/portable.h"
-#include "math/random.h"
+#include "random_stream.h"
 #include "recon/hit_map.h"
 #include "recon/watch.h"
 

@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "math/portable.h"
-#include "math/random.h"
+#include "random_stream.h"
 #include "recon/published/gonzato_marchand.h"
 
 namespace parhelion {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "math/portable.h"
-#include "math/random.h"
 #include "picture/image.h"
+#include "random_stream.h"
 #include "recon/reconstruct.h"
 #include "sky/camera.h"
 #include "sky/radiance.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "math/random.h"
+#include "random_stream.h"
 #include "recon/adaptive/gates.h"
 
 namespace parhelion {

@@ -6,7 +6,7 @@
 
 #include <doctest/doctest.h>
 
-#include "math/random.h"
+#include "random_stream.h"
 
 using namespace parhelion;
 

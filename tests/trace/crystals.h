@@ -4,8 +4,9 @@
 #include <vector>
 
 #include "crystal/shapes.h"
-#include "math/random.h"
-#include "math/rotation.h"
+#include "entry_sampler.h"
+#include "orientations.h"
+#include "random_stream.h"
 #include "trace/cloud.h"
 #include "trace/light_path.h"
 #include "trace/trace.h"

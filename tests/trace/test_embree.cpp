@@ -20,12 +20,13 @@ TEST_CASE("Embree and the planes agree on the next face, edges aside") {
       // One unit prism serves every aspect ratio; here it is stretched, elsewhere built at its aspect.
       const CrystalMesh unit = hexagonalPrism(1.0);
       const Crystal crystal{&unit, aspect};
+      const EntrySampler light(crystal);
       const EmbreeIntersector engine(device, unit, mode);
       int wrong = 0;
       for (int i = 0; i < 50'000; ++i) {
         RandomStream random(21, i, RandomPurpose::incidence);
         const Vec3 lightDir = randomDirection(random);
-        const EntryPoint from = sampleEntry(crystal, lightDir, random.next(), random.next(), random.next());
+        const EntryPoint from = light.sample(lightDir, random.next(), random.next(), random.next());
         const auto hit = engine.nextFace(crystal, from.point, lightDir, from.face);
         const auto truth = nextFaceByPlanes(crystal, from.point, lightDir, from.face);
         REQUIRE(hit);

@@ -145,11 +145,11 @@ TEST_CASE("where light is aimed so near an edge that Embree and the planes part,
   for (const CrystalMesh& mesh : {hexagonalPrism(0.01), hexagonalPrism(1.0), hexagonalPrism(100.0),
                                   hexagonalPyramid({}), hexagonalPyramid({0.3, 0.9, 0.2})}) {
     const Crystal crystal{&mesh};
+    const EntrySampler light(crystal);
     const Intersector embree = intersectorOf(mesh, Engine::embree), planes = intersectorOf(mesh, Engine::planes);
     for (int i = 0; i < 100'000; ++i) {
       RandomStream random(41, i, RandomPurpose::incidence);
-      const EntryPoint from =
-          sampleEntry(crystal, randomDirection(random), random.next(), random.next(), random.next());
+      const EntryPoint from = light.sample(randomDirection(random), random.next(), random.next(), random.next());
       const auto& ring = mesh.faces()[i % mesh.faces().size()].vertices;
       const std::size_t corner = static_cast<std::size_t>(random.next() * static_cast<double>(ring.size()));
       const Vec3 a = mesh.vertices()[ring[corner]], b = mesh.vertices()[ring[(corner + 1) % ring.size()]];

@@ -69,12 +69,13 @@ TEST_CASE("light inside a crystal aimed exactly at a vertex or an edge meets a f
   for (const Engine kind : kEngines)
     for (const CrystalMesh& mesh : crystalsOfAllKinds()) {
       const Intersector engine = intersectorOf(mesh, kind);
+      const Crystal crystal{&mesh};
+      const EntrySampler light(crystal);
       for (const EntryPoint& target : cornersAndEdges(mesh))
         for (int i = 0; i < 200; ++i) {
           RandomStream random(12, rays++, RandomPurpose::incidence);
-          const Crystal crystal{&mesh};
           const Vec3 seen = randomDirection(random);
-          const EntryPoint from = sampleEntry(crystal, seen, random.next(), random.next(), random.next());
+          const EntryPoint from = light.sample(seen, random.next(), random.next(), random.next());
           // A target on the face the ray leaves lies in its plane: there is no ray inside to it.
           if (std::abs(glm::dot(mesh.faces()[from.face].normal, target.point - from.point)) < 1e-9 * mesh.radius())
             continue;
@@ -94,10 +95,11 @@ TEST_CASE("a face just left is never met again at once") {
     for (const CrystalMesh& mesh : crystalsOfAllKinds()) {
       const Intersector engine = intersectorOf(mesh, kind);
       const Crystal crystal{&mesh};
+      const EntrySampler light(crystal);
       for (int i = 0; i < 20'000; ++i) {
         RandomStream random(13, i, RandomPurpose::incidence);
         const Vec3 lightDir = randomDirection(random);
-        const EntryPoint from = sampleEntry(crystal, lightDir, random.next(), random.next(), random.next());
+        const EntryPoint from = light.sample(lightDir, random.next(), random.next(), random.next());
         const auto hit = nextFace(engine, crystal, from.point, lightDir, from.face);
         REQUIRE(hit);
         REQUIRE(hit->face != from.face);
@@ -117,12 +119,13 @@ TEST_CASE("a crystal a million times smaller or larger sends light in the same d
   for (const Engine kind : kEngines)
     for (const double scale : {1e-6, 1e6}) {
       const CrystalMesh other = scaled(scale);
+      const EntrySampler light({&unit});
       const Intersector engine = intersectorOf(unit, kind), otherEngine = intersectorOf(other, kind);
       int different = 0;
       for (int i = 0; i < 20'000; ++i) {
         RandomStream random(14, i, RandomPurpose::incidence);
         const Vec3 lightDir = randomDirection(random);
-        const EntryPoint entry = sampleEntry({&unit}, lightDir, random.next(), random.next(), random.next());
+        const EntryPoint entry = light.sample(lightDir, random.next(), random.next(), random.next());
         LightPath path = lightAt({&unit}, lightDir, entry.face, entry.point, i);
         LightPath otherPath = lightAt({&other}, lightDir, entry.face, scale * entry.point, i);
         followLight(engine, {}, path);

@@ -15,11 +15,12 @@ TEST_CASE("the planes engine finds the face that a plain search of all planes fi
                     skew = hexagonalPyramid({0.3, 0.9, 0.2});
   for (const Crystal& crystal :
        {Crystal{&unit}, Crystal{&unit, 0.02}, Crystal{&unit, 70.0}, Crystal{&pyramid}, Crystal{&skew}}) {
+    const EntrySampler light(crystal);
     const PlanesIntersector engine(*crystal.mesh);
     for (int i = 0; i < 50'000; ++i) {
       RandomStream random(31, i, RandomPurpose::incidence);
       const Vec3 lightDir = randomDirection(random);
-      const EntryPoint from = sampleEntry(crystal, lightDir, random.next(), random.next(), random.next());
+      const EntryPoint from = light.sample(lightDir, random.next(), random.next(), random.next());
       const auto hit = engine.nextFace(crystal, from.point, lightDir, from.face);
       const auto truth = nextFaceByPlanes(crystal, from.point, lightDir, from.face);
       REQUIRE(hit);
