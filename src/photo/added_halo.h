@@ -15,7 +15,7 @@ struct AddedHalo {
   const SkyMask& mask;
   Vec3 perRadiance{1.0};  // R, G, B; what a radiance of 1/sr adds to linear samples (white is 1) where all is sky
 
-  /// The linear light that is added to a pixel; none where the halo's picture does not reach.
+  /// The linear light that is added to a pixel; none where the lens shows no sky or the halo's picture does not reach.
   std::optional<Vec3> at(int x, int y) const;
 };
 
