@@ -53,7 +53,7 @@ using AspectDistribution = std::variant<FixedValue, UniformRange, Normal>;
 /// Every rotation equally likely.
 struct RandomOrientation {};
 
-/// Zenith angle and azimuth of the c axis, and roll about it; see crystalOrientation(). Plates, columns and Parry
+/// Zenith angle and azimuth of the c axis, and roll about it; see axisRotation(). Plates, columns and Parry
 /// columns are such orientations: zenith about 0 or 90 degrees, azimuth free, roll free or about 0.
 struct AxisOrientation {
   AngleDistribution zenith = FixedValue{};

@@ -11,14 +11,15 @@ inline std::uint32_t lowWord(std::uint64_t x) { return static_cast<std::uint32_t
 inline std::uint32_t highWord(std::uint64_t x) { return static_cast<std::uint32_t>(x >> 32); }
 inline std::uint64_t fromWords(std::uint32_t high, std::uint32_t low) { return std::uint64_t{high} << 32 | low; }
 
-/// A block of Philox: four words of 32 bits. Each is in the lower half of 64 bits; the upper halves mean nothing.
+/// A block of Philox: four words of 32 bits. Each is in the lower half of 64 bits. The upper halves mean nothing.
 template <class Words>
 struct PhiloxBlock {
   Words a, b, c, d;
 };
 
-/// Philox4x32 with ten rounds: a keyed permutation of 128-bit counters, four independent 32-bit words a call. `Words`
-/// is std::uint64_t, or lanes of it. Salmon, Moraes, Dror & Shaw 2011, "Parallel random numbers: as easy as 1, 2, 3".
+/// Philox4x32 with ten rounds: a keyed permutation of 128-bit counters. Each call gives four independent 32-bit words.
+/// `Words` is std::uint64_t, or lanes of it. Salmon, Moraes, Dror & Shaw 2011, "Parallel random numbers: as easy as
+/// 1, 2, 3".
 template <class Words>
 PARHELION_INLINE PhiloxBlock<Words> philox(const PhiloxBlock<Words>& counter, std::uint64_t key) {
   constexpr int kRounds = 10;
@@ -38,15 +39,16 @@ PARHELION_INLINE PhiloxBlock<Words> philox(const PhiloxBlock<Words>& counter, st
   return {a, b, c, d};
 }
 
-/// 64 random bits to a number strictly inside (0, 1), the centre of one of 2^52 equal cells.
+/// Turns 64 random bits into a number strictly inside (0, 1). The number is the centre of one of 2^52 equal cells,
+/// which the upper 52 bits choose.
 template <class T = double>
 PARHELION_INLINE T toUnitInterval(const WordsOf<T>& bits) {
-  // With the exponent of 1 before them, 52 bits are a number in [1, 2).
+  // As the mantissa of a double with the exponent of 1, the 52 bits are a number in [1, 2).
   constexpr std::uint64_t kOne = 0x3FF0000000000000;
   return bitsAs<T>((bits >> 12) | kOne) - (1.0 - 0x1p-53);
 }
 
-/// What a ray's random numbers are spent on; each purpose has a stream of its own.
+/// What random numbers are used for. Each purpose has a stream of its own.
 enum class RandomPurpose : std::uint32_t { incidence = 0, path = 1, pilot = 2, population = 3 };
 
 /// Two words of 64 random bits.
@@ -55,8 +57,8 @@ struct RandomWords {
   Words first, second;
 };
 
-/// Block `block` of the random bits of a ray, or of a bundle of rays, for one purpose: a pure function of its
-/// arguments.
+/// Two words that depend on the arguments alone. `ray` is the index of a ray or of a bundle of rays. Blocks are
+/// independent of each other.
 template <class Words>
 PARHELION_INLINE RandomWords<Words> randomWords(std::uint64_t seed, RandomPurpose purpose, std::uint32_t block,
                                                 const Words& ray) {
@@ -68,8 +70,9 @@ PARHELION_INLINE RandomWords<Words> randomWords(std::uint64_t seed, RandomPurpos
   return {(w.b << 32) | (w.a & kLow), (w.d << 32) | (w.c & kLow)};
 }
 
-/// The numbers that decide which way light goes at the faces a path meets: xorshift128+ (Vigna 2017, "Further
-/// scramblings of Marsaglia's xorshift generators"), started for each bundle of rays from 128 bits of Philox.
+/// The random numbers that decide which way light goes at the faces a path meets. The generator is xorshift128+ (Vigna
+/// 2017, "Further scramblings of Marsaglia's xorshift generators"). For each bundle of rays it starts from 128 bits of
+/// Philox.
 template <class T>
 struct PathRandom {
   WordsOf<T> state0, state1;
@@ -86,6 +89,7 @@ struct PathRandom {
   }
 };
 
+/// The generator at the start of a bundle's paths.
 template <class T>
 PARHELION_INLINE PathRandom<T> pathRandom(std::uint64_t seed, const WordsOf<T>& bundle) {
   const RandomWords<WordsOf<T>> start = randomWords<WordsOf<T>>(seed, RandomPurpose::path, 0, bundle);
