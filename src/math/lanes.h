@@ -9,8 +9,13 @@
 #include <cstdint>
 #include <cstring>
 
-#if defined(__SSE2__)
+#include "math/inline.h"
+
+// The header of all registers takes half a second to compile, that of the registers which every machine has none.
+#if defined(__AVX2__)
 #include <immintrin.h>
+#elif defined(__SSE2__)
+#include <emmintrin.h>
 #endif
 
 namespace parhelion {
@@ -21,8 +26,6 @@ struct Lanes {
   using Mask [[gnu::vector_size(W * sizeof(double))]] = std::int64_t;  // all bits of a lane set or none
   using Words [[gnu::vector_size(W * sizeof(double))]] = std::uint64_t;
 };
-
-#define PARHELION_INLINE inline __attribute__((always_inline))
 
 /// What belongs to a type of numbers: truth values, and 64-bit words of the same size.
 template <class T>
