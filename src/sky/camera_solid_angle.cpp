@@ -2,7 +2,9 @@
 #include "sky/camera.h"
 
 #include <algorithm>
+#include <cmath>
 
+#include "math/portable.h"
 #include "sky/edge_integral.h"
 #include "sky/projections.h"
 
