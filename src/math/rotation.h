@@ -5,7 +5,7 @@
 
 namespace parhelion {
 
-/// Unit world vector toward the sky point at `azimuth` and `elevation` (radians, conventions.h).
+/// The unit world vector toward the sky point at `azimuth` and `elevation` (radians, see conventions.h).
 Vec3 skyDirection(double azimuth, double elevation);
 
 struct SkyPoint {
@@ -16,7 +16,8 @@ struct SkyPoint {
 /// Azimuth and elevation of the sky point toward the unit world vector `toSky`.
 SkyPoint skyPoint(const Vec3& toSky);
 
-/// Angle between two vectors of any length, radians in [0, pi]; exact to rounding near 0 and pi, where acos is not.
+/// The angle between two vectors of any length, radians in [0, pi]. It is exact to rounding also near 0 and pi, where
+/// an arc cosine is not.
 double angleBetween(const Vec3& a, const Vec3& b);
 
 /// Right-handed rotations about the coordinate axes (radians).
@@ -24,12 +25,12 @@ Mat3 rotationX(double angle);
 Mat3 rotationY(double angle);
 Mat3 rotationZ(double angle);
 
-/// Crystal-to-world rotation of a crystal whose c axis points to zenith angle `zenith` and sky azimuth `azimuth`,
-/// turned by `roll` about that axis. At roll 0 the normals of faces 3 and 6 lie in the vertical plane through the c
-/// axis.
+/// The crystal-to-world rotation of a crystal whose c axis points to zenith angle `zenith` and sky azimuth `azimuth`.
+/// The crystal is turned by `roll` about that axis. At roll 0 the normals of faces 3 and 6 lie in the vertical plane
+/// through the c axis. All angles in radians.
 Mat3 crystalOrientation(double zenith, double azimuth, double roll);
 
-/// A right-handed orthonormal frame as matrix columns (x, y, `axis`); `axis` is a unit vector.
+/// A right-handed orthonormal frame as matrix columns (x, y, `axis`). `axis` must be a unit vector.
 Mat3 frameAround(const Vec3& axis);
 
 }  // namespace parhelion

@@ -5,25 +5,26 @@
 
 namespace parhelion {
 
-/// The columns of a rotation's matrix, for lanes.
+/// The columns of a rotation matrix, of one rotation or of one in each lane of T.
 template <class T>
 struct RotationColumns {
   Triple<T> x, y, z;
 };
 
-/// crystalOrientation() from sines and cosines.
+/// crystalOrientation() from the sines and cosines of its angles.
 template <class T>
 PARHELION_INLINE RotationColumns<T> axisRotation(const SineCosine<T>& zenith, const SineCosine<T>& azimuth,
                                                  const SineCosine<T>& roll) {
-  // Rz(-azimuth) Ry(zenith) Rz(roll), multiplied out: sky azimuth grows clockwise seen from above, a rotation about +z
-  // counter-clockwise.
+  // Rz(-azimuth) Ry(zenith) Rz(roll), multiplied out. The sign is there because sky azimuth grows clockwise seen from
+  // above, while a rotation about +z turns counter-clockwise.
   const T &sz = zenith.sin, &cz = zenith.cos, &sa = azimuth.sin, &ca = azimuth.cos, &sr = roll.sin, &cr = roll.cos;
   return {{ca * cz * cr + sa * sr, -sa * cz * cr + ca * sr, -sz * cr},
           {-ca * cz * sr + sa * cr, sa * cz * sr + ca * cr, sz * sr},
           {ca * sz, -sa * sz, cz}};
 }
 
-/// Rz(azimuth) Rx(tilt) Ry(spin) from sines and cosines: crystal +y stands `tilt` above the horizontal.
+/// Rz(azimuth) Rx(tilt) Ry(spin) from the sines and cosines of its angles. It turns the crystal by `spin` about its +y,
+/// and then lifts +y by `tilt` above the horizontal.
 template <class T>
 PARHELION_INLINE RotationColumns<T> spinRotation(const SineCosine<T>& tilt, const SineCosine<T>& azimuth,
                                                  const SineCosine<T>& spin) {
