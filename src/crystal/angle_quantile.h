@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "math/rotation.h"
+#include "math/conventions.h"
+#include "math/rotation_columns.h"
 #include "math/table_quantile.h"
 
 namespace parhelion {

@@ -11,8 +11,13 @@
 #include <cstdint>
 #include <cstring>
 
-#if defined(__SSE2__)
+#include "math/inline.h"
+
+// The header of all registers takes half a second to compile, that of the registers which every machine has none.
+#if defined(__AVX2__)
 #include <immintrin.h>
+#elif defined(__SSE2__)
+#include <emmintrin.h>
 #endif
 
 namespace parhelion {
@@ -23,8 +28,6 @@ struct Lanes {
   using Mask [[gnu::vector_size(W * sizeof(double))]] = std::int64_t;  // all bits of a lane set or none
   using Words [[gnu::vector_size(W * sizeof(double))]] = std::uint64_t;
 };
-
-#define PARHELION_INLINE inline __attribute__((always_inline))
 
 /// The types that go with a number type: Mask holds a truth value for each lane, Words an unsigned 64-bit integer.
 template <class T>

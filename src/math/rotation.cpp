@@ -5,6 +5,9 @@
 
 #include <glm/geometric.hpp>
 
+#include "math/portable.h"
+#include "math/rotation_columns.h"
+
 namespace parhelion {
 
 Vec3 skyDirection(double azimuth, double elevation) {

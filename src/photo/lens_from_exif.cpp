@@ -6,8 +6,8 @@
 #include <cstdio>
 #include <stdexcept>
 
-#include "math/portable.h"
-#include "sky/camera.h"
+#include "math/range.h"
+#include "sky/projections.h"
 
 namespace parhelion {
 namespace {
@@ -15,9 +15,6 @@ namespace {
 constexpr double kFilmDiagonal = 43.266615305567875;  // mm, of 36 mm x 24 mm
 
 // mm. Phones have focal lengths from 1.5 mm, telescopes to a few metres; circular fisheyes equivalents from 4 mm.
-struct Range {
-  double least, most;
-};
 constexpr Range kFocalLengths{0.5, 5000.0};
 constexpr Range kEquivalents{4.0, 5000.0};
 
@@ -31,16 +28,11 @@ constexpr double kAgreement = 1.2;
 constexpr double kSlackPixels = 1.0;
 constexpr double kSlackShare = 0.01;
 
-// Field of view at the very limit of a projection: lost digits must not count as beyond it.
-constexpr double kRounding = 1e-15;
-
 std::string text(double number) {
   char digits[32];
   std::snprintf(digits, sizeof digits, "%.6g", number);
   return digits;
 }
-
-bool isWithin(const Range& range, double value) { return value >= range.least && value <= range.most; }
 
 [[noreturn]] void refuse(const std::string& what) { throw std::invalid_argument("Exif " + what); }
 
@@ -72,34 +64,15 @@ std::optional<double> pixelsPerMillimetre(const Exif& exif) {
 
 /// Half the field of view along an extent, from its half in focal lengths; none where the projection ends before.
 std::optional<double> angleAt(Projection projection, double radius) {
-  const auto arcsine = [](double sine) -> std::optional<double> {
-    if (sine > 1.0 + kRounding) return std::nullopt;
-    return portable::atan2(sine, std::sqrt(std::max(0.0, (1.0 - sine) * (1.0 + sine))));
-  };
-  switch (projection) {
-    case Projection::rectilinear:
-      return portable::atan2(radius, 1.0);
-    case Projection::fisheyeStereographic:
-      return 2.0 * portable::atan2(0.5 * radius, 1.0);
-    case Projection::fisheyeOrthographic:
-      return arcsine(radius);
-    case Projection::fisheyeEqualArea: {
-      const std::optional<double> half = arcsine(0.5 * radius);
-      return half ? std::optional(2.0 * *half) : std::nullopt;
-    }
-    case Projection::fisheyeEquidistant:
-    case Projection::equirectangular:
-      break;
-  }
-  return radius <= kPi * (1.0 + kRounding) ? std::optional(radius) : std::nullopt;
+  return visitProjection(projection, [radius](auto facts) { return facts.angleAt(radius); });
 }
 
 }  // namespace
 
 std::optional<LensFacts> lensFromExif(const Exif& exif, int width, int height) {
-  if (exif.focalLength35mm && !isWithin(kEquivalents, *exif.focalLength35mm))
+  if (exif.focalLength35mm && !kEquivalents.contains(*exif.focalLength35mm))
     refuse("has a 35 mm equivalent of " + text(*exif.focalLength35mm) + " mm, which no lens has");
-  if (exif.focalLength && !isWithin(kFocalLengths, *exif.focalLength))
+  if (exif.focalLength && !kFocalLengths.contains(*exif.focalLength))
     refuse("has a focal length of " + text(*exif.focalLength) + " mm, which no lens has");
 
   const double pictureDiagonal = diagonal(width, height);
@@ -116,7 +89,7 @@ std::optional<LensFacts> lensFromExif(const Exif& exif, int width, int height) {
   const double scale = scaleSinceExposure(exif, width, height);
   if (sensor) sensor->focalPixels *= scale;
   if (!film) {
-    if (!isWithin(kFocalDiagonals, sensor->focalPixels / pictureDiagonal))
+    if (!kFocalDiagonals.contains(sensor->focalPixels / pictureDiagonal))
       refuse("has a " + sensor->source + ", which no lens and sensor have");
     return sensor;
   }

@@ -5,44 +5,11 @@
 
 #include "scene/scene_keys.h"
 #include "sky/camera.h"
+#include "sky/projections.h"
 
 namespace parhelion {
 
 namespace {
-
-/// What is special about a projection; angles in degrees.
-struct ProjectionLimits {
-  double defaultFov;
-  Range horizontal;
-  Range vertical;
-};
-
-ProjectionLimits limitsOf(Projection projection) {
-  constexpr Range kBelow180{0, 180, true, true}, kTo180{0, 180, true}, kBelow360{0, 360, true, true},
-      kTo360{0, 360, true};
-  switch (projection) {
-    case Projection::rectilinear:
-      return {60, kBelow180, kBelow180};
-    case Projection::fisheyeEqualArea:
-      return {180, kTo360, kTo360};
-    case Projection::fisheyeEquidistant:
-      return {180, kTo360, kTo360};
-    case Projection::fisheyeStereographic:
-      return {180, kBelow360, kBelow360};
-    case Projection::fisheyeOrthographic:
-      return {180, kTo180, kTo180};
-    case Projection::equirectangular:
-      return {360, kTo360, kTo180};
-  }
-  return {};
-}
-
-/// One of the three ways to give the field of view.
-struct FieldOfView {
-  std::string_view key;
-  FieldOfViewAxis axis;
-  std::optional<double> angle;  // rad
-};
 
 void checkAngle(TableReader& reader, std::string_view key, double angle, const Range& range, Projection projection) {
   const double inDegrees = roundToTwelveDigits(degrees(angle));
@@ -51,15 +18,16 @@ void checkAngle(TableReader& reader, std::string_view key, double angle, const R
                          "\" must be " + range.text() + " degrees, not " + formatNumber(inDegrees));
 }
 
-void checkFieldOfView(TableReader& reader, const FieldOfView& fov, Projection projection) {
-  if (projection == Projection::equirectangular && fov.axis == FieldOfViewAxis::diagonal) {
-    reader.reject(fov.key, "an equirectangular image has no diagonal field of view",
-                  "give fov_horizontal or fov_vertical");
-    return;
-  }
-  const ProjectionLimits limits = limitsOf(projection);
-  const Range& range = fov.axis == FieldOfViewAxis::vertical ? limits.vertical : limits.horizontal;
-  checkAngle(reader, fov.key, *fov.angle, range, projection);
+void checkFieldOfView(TableReader& reader, const FieldOfViewKey& key, double angle, Projection projection) {
+  visitProjection(projection, [&](auto facts) {
+    if (!facts.hasDiagonal && key.axis == FieldOfViewAxis::diagonal) {
+      reader.reject(key.name, std::string("an ").append(facts.name) + " image has no diagonal field of view",
+                    "give fov_horizontal or fov_vertical");
+      return;
+    }
+    const bool isVertical = key.axis == FieldOfViewAxis::vertical;
+    checkAngle(reader, key.name, angle, isVertical ? facts.verticalFieldOfView : facts.fieldOfView, projection);
+  });
 }
 
 /// The camera knows whether its distortion folds the picture over.
@@ -80,44 +48,56 @@ void checkDistortion(TableReader& reader, const CameraSettings& camera) {
 }
 
 /// What the lens covers obeys the same limits as what the image shows of it.
-void checkImageCircle(TableReader& reader, std::optional<double> circle, Projection projection) {
-  if (!circle) return;
-  if (!isFisheye(projection)) {
-    reader.reject("image_circle", "only fisheye lenses have an image circle");
-  } else {
-    checkAngle(reader, "image_circle", *circle, limitsOf(projection).horizontal, projection);
-  }
+void checkImageCircle(TableReader& reader, const CameraSettings& camera) {
+  if (camera.imageCircle == 0.0) return;
+  visitProjection(camera.projection, [&](auto facts) {
+    if (facts.isFisheye) {
+      checkAngle(reader, "image_circle", camera.imageCircle, facts.fieldOfView, camera.projection);
+    } else {
+      reader.reject("image_circle", "only fisheye lenses have an image circle");
+    }
+  });
 }
 
 void applyFieldOfView(TableReader& reader, const CameraKeys& keys, CameraSettings& camera) {
-  const FieldOfView offered[] = {{"fov_horizontal", FieldOfViewAxis::horizontal, keys.fovHorizontal},
-                                 {"fov_vertical", FieldOfViewAxis::vertical, keys.fovVertical},
-                                 {"fov_diagonal", FieldOfViewAxis::diagonal, keys.fovDiagonal}};
   std::string_view given;
-  for (const FieldOfView& fov : offered) {
-    if (!reader.has(fov.key)) continue;
+  for (std::size_t i = 0; i < kFieldOfViewKeys.size(); ++i) {
+    const FieldOfViewKey& key = kFieldOfViewKeys[i];
+    if (!reader.has(key.name)) continue;
     if (!given.empty()) {
-      reader.reject(fov.key,
+      reader.reject(key.name,
                     std::string("the field of view is given twice, by '").append(given) + "' and by '" +
-                        std::string(fov.key) + "'",
+                        std::string(key.name) + "'",
                     "the other one follows from the resolution");
     }
-    given = fov.key;
-    if (!fov.angle) continue;
-    checkFieldOfView(reader, fov, camera.projection);
-    camera.fieldOfViewAxis = fov.axis;
-    camera.fieldOfView = *fov.angle;
+    given = key.name;
+    const std::optional<double> angle = keys.fieldsOfView[i];
+    if (!angle) continue;
+    checkFieldOfView(reader, key, *angle, camera.projection);
+    camera.fieldOfViewAxis = key.axis;
+    camera.fieldOfView = *angle;
   }
 }
 
 }  // namespace
 
+std::span<const Named<Projection>> namesOf(Projection) {
+  static const auto kNames = [] {
+    std::array<Named<Projection>, kProjections.size()> names{};
+    std::ranges::transform(kProjections, names.begin(), [](Projection p) { return Named<Projection>{name(p), p}; });
+    return names;
+  }();
+  return kNames;
+}
+
 CameraSettings defaultCamera(Projection projection) {
   CameraSettings camera;
   camera.projection = projection;
-  camera.fieldOfView = radians(limitsOf(projection).defaultFov);
-  if (!isFisheye(projection)) camera.elevation = 0.0;
-  if (projection == Projection::equirectangular) camera.width = 2 * camera.height;
+  visitProjection(projection, [&](auto facts) {
+    camera.fieldOfView = radians(facts.defaultFieldOfView);
+    camera.elevation = radians(facts.defaultElevation);
+    camera.width = facts.defaultWidthPerHeight * camera.height;
+  });
   return camera;
 }
 
@@ -132,10 +112,9 @@ bool CameraTable::read(const Value& in, CameraSettings& out) const {
   out = keys.camera;
   out.width = keys.resolution[0];
   out.height = keys.resolution[1];
-  out.imageCircle = keys.imageCircle.value_or(0.0);
   if (reader.rejected("projection")) return false;  // what else is wrong would depend on it
   applyFieldOfView(reader, keys, out);
-  checkImageCircle(reader, keys.imageCircle, out.projection);
+  checkImageCircle(reader, out);
   if (!reader.rejected("distortion")) checkDistortion(reader, out);
   return true;
 }

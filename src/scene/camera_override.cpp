@@ -3,7 +3,7 @@
 
 #include <cstdio>
 
-#include "scene/names.h"
+#include "sky/camera_keys.h"
 
 namespace parhelion {
 
@@ -15,31 +15,50 @@ std::string digits(double value) {
   return text;
 }
 
-std::string_view keyOf(FieldOfViewAxis axis) {
-  switch (axis) {
-    case FieldOfViewAxis::horizontal:
-      return "fov_horizontal";
-    case FieldOfViewAxis::vertical:
-      return "fov_vertical";
-    case FieldOfViewAxis::diagonal:
-      break;
+/// Writes the keys of a camera as an inline table has them; what is left out is what a scene leaves out.
+class OverrideWriter {
+ public:
+  explicit OverrideWriter(const CameraSettings& camera) : camera_(camera) {}
+
+  const std::string& text() const { return text_; }
+
+  void projection(const CameraKey& key) { entry(key.name, std::string("\"").append(name(camera_.projection)) + '"'); }
+  void number(const CameraKey& key, auto unit, double CameraSettings::*member) {
+    entry(key.name, digits(unit.shown(camera_.*member)));
   }
-  return "fov_diagonal";
-}
+  void numberOrNone(const CameraKey& key, auto unit, double CameraSettings::*member) {
+    if (camera_.*member != 0.0) number(key, unit, member);
+  }
+  template <class Struct>
+  void numbers(const CameraKey& key, auto unit, Struct CameraSettings::*member, const auto& parts) {
+    const Struct& all = camera_.*member;
+    if (all == Struct{}) return;
+    std::string list;
+    for (const auto& part : parts) list += (list.empty() ? "" : ", ") + digits(unit.shown(all.*part.member));
+    entry(key.name, "[" + list + "]");
+  }
+  void fieldOfView(const FieldOfViewAttributes&, InDegrees unit) {
+    entry(keyOf(camera_.fieldOfViewAxis).name, digits(unit.shown(camera_.fieldOfView)));
+  }
+  void resolution(const CameraKey& key) {
+    entry(key.name, "[" + std::to_string(camera_.width) + ", " + std::to_string(camera_.height) + "]");
+  }
+
+ private:
+  void entry(std::string_view key, const std::string& value) {
+    text_.append(text_.empty() ? "" : ", ").append(key).append(" = ").append(value);
+  }
+
+  const CameraSettings& camera_;
+  std::string text_;
+};
 
 }  // namespace
 
 std::string cameraOverride(const CameraSettings& camera) {
-  const auto entry = [](std::string_view key, double angle) {
-    return std::string(", ").append(key) + " = " + digits(degrees(angle));
-  };
-  std::string text = "camera={ projection = \"" + std::string(nameOf(camera.projection)) + "\"";
-  text += entry("azimuth", camera.azimuth) + entry("elevation", camera.elevation) + entry("roll", camera.roll);
-  text += entry(keyOf(camera.fieldOfViewAxis), camera.fieldOfView);
-  if (camera.imageCircle > 0.0) text += entry("image_circle", camera.imageCircle);
-  if (const Distortion& d = camera.distortion; !d.none())
-    text += ", distortion = [" + digits(d.k1) + ", " + digits(d.k2) + ", " + digits(d.k3) + "]";
-  return text + ", resolution = [" + std::to_string(camera.width) + ", " + std::to_string(camera.height) + "] }";
+  OverrideWriter writer(camera);
+  visitCameraKeys(writer);
+  return "camera={ " + writer.text() + " }";
 }
 
 }  // namespace parhelion

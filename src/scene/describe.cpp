@@ -4,6 +4,7 @@
 #include "math/overloaded.h"
 #include "scene/names.h"
 #include "scene/range.h"
+#include "sky/camera_keys.h"
 
 namespace parhelion {
 
@@ -93,12 +94,41 @@ std::string describe(const IceSettings& ice) {
                     ice);
 }
 
+/// "rectilinear toward azimuth 0°, elevation 20°, roll 0°; 60° horizontal, 600 x 400 pixels"
+class CameraDescription {
+ public:
+  explicit CameraDescription(const CameraSettings& camera) : camera_(camera) {}
+
+  const std::string& text() const { return text_; }
+
+  void projection(const CameraKey&) { text_ += std::string(nameOf(camera_.projection)) + " toward"; }
+  void number(const CameraKey& key, InDegrees, double CameraSettings::*member) { add(key, inDegrees(camera_.*member)); }
+  void number(const CameraKey& key, Unitless, double CameraSettings::*member) { add(key, plain(camera_.*member)); }
+  void fieldOfView(const FieldOfViewAttributes&, InDegrees) {
+    text_.append("; ").append(inDegrees(camera_.fieldOfView)).append(" ");
+    text_ += keyOf(camera_.fieldOfViewAxis).axisName;
+  }
+  void resolution(const CameraKey&) {
+    text_ += ", " + std::to_string(camera_.width) + " x " + std::to_string(camera_.height) + " pixels";
+  }
+
+  // Most cameras have none of these.
+  void numberOrNone(const CameraKey&, auto /*unit*/, auto /*member*/) {}
+  void numbers(const CameraKey&, auto /*unit*/, auto /*member*/, const auto& /*parts*/) {}
+
+ private:
+  void add(const CameraKey& key, const std::string& value) {
+    text_.append(text_.ends_with("toward") ? " " : ", ").append(key.name).append(" ").append(value);
+  }
+
+  const CameraSettings& camera_;
+  std::string text_;
+};
+
 std::string describe(const CameraSettings& camera) {
-  constexpr const char* kAxes[] = {"horizontal", "vertical", "diagonal"};
-  return std::string(nameOf(camera.projection)) + " toward azimuth " + inDegrees(camera.azimuth) + ", elevation " +
-         inDegrees(camera.elevation) + ", roll " + inDegrees(camera.roll) + "; " + inDegrees(camera.fieldOfView) + ' ' +
-         kAxes[static_cast<int>(camera.fieldOfViewAxis)] + ", " + std::to_string(camera.width) + " x " +
-         std::to_string(camera.height) + " pixels";
+  CameraDescription description(camera);
+  visitCameraKeys(description);
+  return description.text();
 }
 
 std::string describe(const TraceSettings& trace) {

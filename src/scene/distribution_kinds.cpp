@@ -123,10 +123,10 @@ Json DistributionSyntax::schema() const {
   Json table = {{"type", "object"}, {"additionalProperties", false}, {"minProperties", 1}, {"maxProperties", 1}};
   for (const DistributionForm& form : forms) {
     Json& entry = table["properties"][std::string(form.name)];
-    entry = aboutZero ? spread.numberSchema() : pair;
+    entry = aboutZero ? numberSchema(spread) : pair;
     if (!aboutZero) entry["description"] = pairOf(form);
   }
-  return {{"anyOf", {(aboutZero ? spread : location).numberSchema(), table}}};
+  return {{"anyOf", {numberSchema(aboutZero ? spread : location), table}}};
 }
 
 bool AngleValue::read(const Value& in, AngleDistribution& out) const {
@@ -166,7 +166,7 @@ bool Aspect::read(const Value& in, AspectDistribution& out) const {
 
 Json Aspect::schema() const {
   Json schema = aspectSyntax().schema();
-  schema["anyOf"][0] = kPyramidAspectRange.numberSchema();
+  schema["anyOf"][0] = numberSchema(kPyramidAspectRange);
   return schema;
 }
 

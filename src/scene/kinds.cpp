@@ -148,24 +148,6 @@ Json Resolution::schema() const {
   return {{"type", "array"}, {"items", side}, {"minItems", 2}, {"maxItems", 2}};
 }
 
-bool RadialDistortion::read(const Value& in, Distortion& out) const {
-  const toml::array* list = in.node.as_array();
-  double* const coefficients[] = {&out.k1, &out.k2, &out.k3};
-  bool valid = list && !list->empty() && list->size() <= std::size(coefficients);
-  for (std::size_t i = 0; valid && i < list->size(); ++i) {
-    const auto k = list->get(i)->value<double>();
-    valid = k && std::abs(*k) <= kLargest;
-    if (valid) *coefficients[i] = *k;
-  }
-  if (valid) return true;
-  return in.mustBe("[k1, k2, k3], numbers from -1000 to 1000");
-}
-
-Json RadialDistortion::schema() const {
-  const Json k = {{"type", "number"}, {"minimum", -kLargest}, {"maximum", kLargest}};
-  return {{"type", "array"}, {"items", k}, {"minItems", 1}, {"maxItems", 3}};
-}
-
 bool Spectrum::read(const Value& in, SpectrumSettings& out) const {
   if (const auto source = enumeratorNamed<ContinuousSpectrum::Source>(in.string())) {
     out = ContinuousSpectrum{*source};
@@ -184,7 +166,7 @@ bool Spectrum::read(const Value& in, SpectrumSettings& out) const {
 }
 
 Json Spectrum::schema() const {
-  const Json line = kVisibleNanometres.numberSchema();
+  const Json line = numberSchema(kVisibleNanometres);
   const Json lines = {{"type", "array"}, {"items", line}, {"minItems", 1}, {"uniqueItems", true}};
   return {{"anyOf", {Choice<ContinuousSpectrum::Source>{}.schema(), line, lines}}};
 }
@@ -210,8 +192,8 @@ bool IceIndex::read(const Value& in, IceSettings& out) const {
 
 Json IceIndex::schema() const {
   const Json name = {{"enum", {kWarrenBrandt}}};
-  const Json list = {{"type", "array"}, {"minItems", 1}, {"items", kIndexRange.numberSchema()}};
-  return {{"anyOf", {name, kIndexRange.numberSchema(), list}}};
+  const Json list = {{"type", "array"}, {"minItems", 1}, {"items", numberSchema(kIndexRange)}};
+  return {{"anyOf", {name, numberSchema(kIndexRange), list}}};
 }
 
 Json IceIndex::write(const IceSettings& value) const {

@@ -39,7 +39,7 @@ struct Number {
   Range range;
 
   bool read(const Value& in, double& out) const;
-  Json schema() const { return range.numberSchema(); }
+  Json schema() const { return numberSchema(range); }
   Json write(double value) const { return value; }
 };
 
@@ -57,7 +57,7 @@ struct Angle {
   Range degreesRange;
 
   bool read(const Value& in, double& out) const;
-  Json schema() const { return degreesRange.numberSchema(); }
+  Json schema() const { return numberSchema(degreesRange); }
   Json write(double value) const { return roundToTwelveDigits(degrees(value)); }
 };
 
@@ -80,14 +80,6 @@ struct Resolution {
   bool read(const Value& in, std::array<int, 2>& out) const;
   Json schema() const;
   Json write(const std::array<int, 2>& value) const { return value; }
-};
-
-/// [k1, k2, k3], or fewer.
-struct RadialDistortion {
-  static constexpr double kLargest = 1000.0;
-  bool read(const Value& in, Distortion& out) const;
-  Json schema() const;
-  Json write(const Distortion& value) const { return {value.k1, value.k2, value.k3}; }
 };
 
 /// The name of a continuous spectrum, a wavelength, or a list of wavelengths.

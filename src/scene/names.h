@@ -74,14 +74,6 @@ inline constexpr auto kKernelFlowNames = std::to_array<Named<KernelFlow>>({
     {"scatter", KernelFlow::scatter},
     {"gather", KernelFlow::gather},
 });
-inline constexpr auto kProjectionNames = std::to_array<Named<Projection>>({
-    {"rectilinear", Projection::rectilinear},
-    {"fisheye-equal-area", Projection::fisheyeEqualArea},
-    {"fisheye-equidistant", Projection::fisheyeEquidistant},
-    {"fisheye-stereographic", Projection::fisheyeStereographic},
-    {"fisheye-orthographic", Projection::fisheyeOrthographic},
-    {"equirectangular", Projection::equirectangular},
-});
 inline constexpr auto kSpectrumNames = std::to_array<Named<ContinuousSpectrum::Source>>({
     {"sun", ContinuousSpectrum::Source::extraterrestrial},
     {"sun-am1.5", ContinuousSpectrum::Source::airMass1_5},
@@ -109,7 +101,7 @@ constexpr std::span<const Named<ReconMethod>> namesOf(ReconMethod) { return kRec
 constexpr std::span<const Named<HitReading>> namesOf(HitReading) { return kHitReadingNames; }
 constexpr std::span<const Named<KernelGain>> namesOf(KernelGain) { return kKernelGainNames; }
 constexpr std::span<const Named<KernelFlow>> namesOf(KernelFlow) { return kKernelFlowNames; }
-constexpr std::span<const Named<Projection>> namesOf(Projection) { return kProjectionNames; }
+std::span<const Named<Projection>> namesOf(Projection);  // as sky/projection.h has them
 constexpr std::span<const Named<ContinuousSpectrum::Source>> namesOf(ContinuousSpectrum::Source) {
   return kSpectrumNames;
 }

@@ -1,38 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/range.h"
 
-#include <charconv>
-
 namespace parhelion {
 
-std::string Range::text() const {
-  const std::string low =
-      loOpen ? std::string("above ").append(formatNumber(lo)) : std::string("at least ").append(formatNumber(lo));
-  if (hi == std::numeric_limits<double>::max()) return low;
-  if (!loOpen && !hiOpen) return std::string("from ").append(formatNumber(lo)) + " to " + formatNumber(hi);
-  return low + " and " + (hiOpen ? "below " : "at most ") + formatNumber(hi);
-}
-
-Json Range::numberSchema() const {
-  Json schema = {{"type", "number"}, {"minimum", roundToTwelveDigits(lo)}};
-  if (loOpen) schema["exclusiveMinimum"] = true;
-  if (hi == std::numeric_limits<double>::max()) return schema;
-  schema["maximum"] = roundToTwelveDigits(hi);
-  if (hiOpen) schema["exclusiveMaximum"] = true;
+Json numberSchema(const Range& range) {
+  Json schema = {{"type", "number"}, {"minimum", roundToTwelveDigits(range.lo)}};
+  if (range.loOpen) schema["exclusiveMinimum"] = true;
+  if (range.hi == std::numeric_limits<double>::max()) return schema;
+  schema["maximum"] = roundToTwelveDigits(range.hi);
+  if (range.hiOpen) schema["exclusiveMaximum"] = true;
   return schema;
-}
-
-std::string formatNumber(double value) {
-  char text[32];
-  const auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::general, 12).ptr;
-  return {text, end};
-}
-
-double roundToTwelveDigits(double value) {
-  const std::string text = formatNumber(value);
-  double rounded = 0.0;
-  std::from_chars(text.data(), text.data() + text.size(), rounded);
-  return rounded;
 }
 
 }  // namespace parhelion

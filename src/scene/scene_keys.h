@@ -3,12 +3,13 @@
 
 // Every key of a scene file, said once: its name, the kind of its value, the setting it fills and what it means.
 // TableReader visits the keys to read a file, SchemaWriter to write the schema, with the settings' own defaults.
+// Those of the camera, which a tally's file has too, are in sky/camera_keys.h.
 
-#include <array>
 #include <optional>
 #include <string>
 #include <variant>
 
+#include "scene/camera_kinds.h"
 #include "scene/distribution_kinds.h"
 #include "scene/kinds.h"
 #include "scene/table_kinds.h"
@@ -88,38 +89,6 @@ void visitKeys(Visitor& v, AxisKeys& axis) {
   v.key("zenith", Optional{AngleValue{AngleValue::Of::zenith}}, axis.zenith, "Zenith angle of the c axis, degrees.");
   v.key("azimuth", AngleValue{AngleValue::Of::turn}, axis.azimuth, "Azimuth of the c axis from the sun, degrees.");
   v.key("roll", AngleValue{AngleValue::Of::turn}, axis.roll, "Rotation about the c axis, degrees.");
-}
-
-/// The [camera] as its keys say it; camera_kind.cpp makes CameraSettings of it.
-struct CameraKeys {
-  CameraSettings camera;
-  std::array<int, 2> resolution{};
-  std::optional<double> fovHorizontal, fovVertical, fovDiagonal;  // rad
-  std::optional<double> imageCircle;                              // rad
-};
-
-template <class Visitor>
-void visitKeys(Visitor& v, CameraKeys& c) {
-  v.key("projection", Choice<Projection>{}, c.camera.projection, "How directions become places in the image.");
-  c.camera = defaultCamera(c.camera.projection);
-  c.resolution = {c.camera.width, c.camera.height};
-  v.key("azimuth", Angle{{-360, 360}}, c.camera.azimuth, "Azimuth of the optical axis from the sun, degrees.");
-  v.key("elevation", Angle{{-90, 90}}, c.camera.elevation,
-        "Elevation of the optical axis, degrees. Left out: 90 for a fisheye, 0 for the others.");
-  v.key("roll", Angle{{-360, 360}}, c.camera.roll, "Clockwise turn of the camera as its user sees it, degrees.");
-  constexpr Range kFov{0, 360, true};
-  v.key("fov_horizontal", Optional{Angle{kFov}}, c.fovHorizontal,
-        "Field of view from left to right, degrees; one fov_… at most. Left out: 180 for a fisheye, 360 for "
-        "equirectangular, 60 for rectilinear.");
-  v.key("fov_vertical", Optional{Angle{kFov}}, c.fovVertical, "Field of view from bottom to top, degrees.");
-  v.key("fov_diagonal", Optional{Angle{kFov}}, c.fovDiagonal, "Field of view from corner to corner, degrees.");
-  v.key("image_circle", Optional{Angle{{0, 360, true}}}, c.imageCircle,
-        "Full angle that a fisheye lens covers, degrees. Left out: the larger of 180 and the field of view.");
-  v.key("distortion", RadialDistortion{}, c.camera.distortion,
-        "[k1, k2, k3]: the lens moves what is r focal lengths from the centre to r (1 + k1 r^2 + k2 r^4 + k3 r^6). The "
-        "field of view stays that of the ideal lens.");
-  v.key("resolution", Resolution{}, c.resolution,
-        "[width, height] in pixels. Left out: [1024, 1024], [2048, 1024] for equirectangular.");
 }
 
 template <class Visitor>

@@ -10,41 +10,26 @@
 #include "math/portable.h"
 #include "math/rotation.h"
 #include "picture/image.h"
+#include "sky/lens.h"
 
 namespace parhelion {
 namespace {
 
-// Full angles given in degrees may end up an ulp above 2 pi.
-constexpr double kAngleSlack = 1.0 + 1e-12;
-
 // Cosines of unit vectors are off by a few 1e-16; light on the image circle is to count as inside.
 constexpr double kCosineSlack = 1e-14;
 
-/// The largest full angle a projection can show, and whether it can show that angle itself.
-struct AngleLimit {
-  double angle;
-  bool included;
-};
-
-AngleLimit angleLimit(Projection projection) {
-  switch (projection) {
-    case Projection::rectilinear:
-      return {kPi, false};
-    case Projection::fisheyeOrthographic:
-      return {kPi, true};
-    case Projection::fisheyeStereographic:
-      return {2.0 * kPi, false};
-    case Projection::fisheyeEqualArea:
-    case Projection::fisheyeEquidistant:
-    case Projection::equirectangular:
-      break;
-  }
-  return {2.0 * kPi, true};
+/// Degrees that a projection can show.
+Range widest(Projection projection) {
+  return visitProjection(projection, [](auto facts) { return facts.fieldOfView; });
 }
 
 bool withinLimit(Projection projection, double fullAngle) {
-  const AngleLimit limit = angleLimit(projection);
-  return limit.included ? fullAngle <= limit.angle * kAngleSlack : fullAngle < limit.angle;
+  const Range limit = widest(projection);
+  return limit.hiOpen ? fullAngle < radians(limit.hi) : fullAngle <= radians(limit.hi) * projections::kAngleSlack;
+}
+
+bool isAzimuthal(Projection projection) {
+  return visitProjection(projection, [](auto facts) { return facts.isAzimuthal; });
 }
 
 void require(bool condition, const char* message) {
@@ -53,7 +38,8 @@ void require(bool condition, const char* message) {
 
 CameraSettings validated(const CameraSettings& s) {
   require(std::isfinite(s.azimuth) && std::isfinite(s.roll), "azimuth and roll must be finite");
-  require(std::abs(s.elevation) <= 0.5 * kPi * kAngleSlack, "elevation must lie within 90 degrees of the horizon");
+  require(std::abs(s.elevation) <= 0.5 * kPi * projections::kAngleSlack,
+          "elevation must lie within 90 degrees of the horizon");
   require(s.width >= 1 && s.height >= 1, "a picture has at least one pixel");
   require(s.width <= kMaxImageSide && s.height <= kMaxImageSide, "a picture has at most 32768 pixels a side");
   require(static_cast<long long>(s.width) * s.height <= kMaxImagePixels, "a picture has at most 2^28 pixels");
@@ -64,26 +50,13 @@ CameraSettings validated(const CameraSettings& s) {
           "the image circle must be within what the projection can show");
   const Distortion& d = s.distortion;
   require(std::isfinite(d.k1) && std::isfinite(d.k2) && std::isfinite(d.k3), "distortion must be finite");
-  require(d.none() || s.projection != Projection::equirectangular, "only lenses have distortion");
+  require(d.none() || isAzimuthal(s.projection), "only lenses have distortion");
   return s;
 }
 
 /// Distance from the picture's centre, in focal lengths, at an angle from the optical axis.
 double radiusAt(Projection projection, double angle) {
-  switch (projection) {
-    case Projection::rectilinear:
-      return portable::tan(angle);
-    case Projection::fisheyeEqualArea:
-      return 2.0 * portable::sin(0.5 * angle);
-    case Projection::fisheyeStereographic:
-      return 2.0 * portable::tan(0.5 * angle);
-    case Projection::fisheyeOrthographic:
-      return portable::sin(angle);
-    case Projection::fisheyeEquidistant:
-    case Projection::equirectangular:
-      break;
-  }
-  return angle;
+  return visitProjection(projection, [angle](auto facts) { return facts.radiusAt(angle); });
 }
 
 double extentPixels(const CameraSettings& s) {
@@ -94,40 +67,19 @@ double extentPixels(const CameraSettings& s) {
     case FieldOfViewAxis::vertical:
       return height;
     case FieldOfViewAxis::diagonal:
-      break;
+      return std::sqrt(width * width + height * height);
   }
-  return std::sqrt(width * width + height * height);
+  throw std::invalid_argument("camera: no such axis of the field of view");
 }
 
 /// Angle of the image circle from the axis.
 double maxAngle(const CameraSettings& s) {
-  if (s.imageCircle > 0.0) return std::min(0.5 * s.imageCircle, 0.5 * angleLimit(s.projection).angle);
-  return std::min(0.5 * std::max(kPi, s.fieldOfView), 0.5 * angleLimit(s.projection).angle);
+  const double limit = 0.5 * radians(widest(s.projection).hi);
+  if (s.imageCircle > 0.0) return std::min(0.5 * s.imageCircle, limit);
+  return std::min(0.5 * std::max(kPi, s.fieldOfView), limit);
 }
 
 }  // namespace
-
-std::string_view name(Projection projection) {
-  switch (projection) {
-    case Projection::rectilinear:
-      return "rectilinear";
-    case Projection::fisheyeEqualArea:
-      return "fisheye-equal-area";
-    case Projection::fisheyeEquidistant:
-      return "fisheye-equidistant";
-    case Projection::fisheyeStereographic:
-      return "fisheye-stereographic";
-    case Projection::fisheyeOrthographic:
-      return "fisheye-orthographic";
-    case Projection::equirectangular:
-      break;
-  }
-  return "equirectangular";
-}
-
-bool isFisheye(Projection projection) {
-  return projection != Projection::rectilinear && projection != Projection::equirectangular;
-}
 
 Camera::Camera(const CameraSettings& settings)
     : settings_(validated(settings)),
@@ -161,7 +113,9 @@ void Camera::limitDistortion() {
     require(settings_.distortion.distorted(fold) >= corner,
             "the distortion folds the picture over before it reaches the corners");
     idealRadius_ = fold;
-    minCosine_ = std::max(minCosine_, atSquaredRadius(fold * fold).cosine);
+    visitProjection(settings_.projection, [&](auto facts) {
+      if constexpr (facts.isAzimuthal) minCosine_ = std::max(minCosine_, facts.atSquaredRadius(fold * fold).cosine);
+    });
   }
   // Where nothing folds, the radius grows without end.
   circleRadius_ = std::isinf(idealRadius_) ? idealRadius_ : settings_.distortion.distorted(idealRadius_);
@@ -172,39 +126,59 @@ bool Camera::isMirrorSymmetric() const {
   return turns == std::floor(turns) && settings_.roll == 0.0;
 }
 
+Lens Camera::lens() const {
+  const auto triple = [](const Vec3& v) { return Triple<double>{v.x, v.y, v.z}; };
+  return {settings_.projection,
+          static_cast<double>(settings_.width),
+          static_cast<double>(settings_.height),
+          triple(right_),
+          triple(up_),
+          triple(forward_),
+          centre_.x,
+          centre_.y,
+          focal_,
+          minCosine_,
+          settings_.distortion};
+}
+
+std::optional<Vec2> Camera::project(const Vec3& toSky) const {
+  const auto [inside, x, y] = lens().project<double>({toSky.x, toSky.y, toSky.z});
+  if (!inside) return std::nullopt;
+  return Vec2(x, y);
+}
+
+std::optional<Vec2> Camera::placeOf(const Vec3& toSky) const {
+  const auto [seen, x, y] = lens().place<double>({toSky.x, toSky.y, toSky.z});
+  if (!seen) return std::nullopt;
+  return Vec2(x, y);
+}
+
+std::optional<int> Camera::pixelAt(const Vec3& toSky) const {
+  const std::optional<Vec2> p = project(toSky);
+  if (!p) return std::nullopt;
+  return static_cast<int>(p->y) * settings_.width + static_cast<int>(p->x);
+}
+
 std::optional<Vec3> Camera::toSky(Vec2 pixel) const {
   if (!(pixel.x >= 0.0 && pixel.x <= width() && pixel.y >= 0.0 && pixel.y <= height())) return std::nullopt;
   return directionAt(pixel);
 }
 
-Camera::AxisAngle Camera::atSquaredRadius(double r2) const {
-  const double r = std::sqrt(r2);
-  switch (settings_.projection) {
-    case Projection::rectilinear: {
-      const double cosine = 1.0 / std::sqrt(1.0 + r2);
-      return {cosine, cosine};
+std::optional<Vec3> Camera::directionAt(Vec2 pixel) const {
+  const Vec2 place{(pixel.x - centre_.x) / focal_, (centre_.y - pixel.y) / focal_};
+  return visitProjection(settings_.projection, [&](auto facts) -> std::optional<Vec3> {
+    if constexpr (facts.isAzimuthal) {
+      return azimuthalDirection(facts, place);
+    } else {
+      const std::optional<Vec3> inCamera = facts.direction(place);
+      if (!inCamera) return std::nullopt;
+      return inCamera->x * right_ + inCamera->y * up_ + inCamera->z * forward_;
     }
-    case Projection::fisheyeEqualArea:
-      return {1.0 - 0.5 * r2, std::sqrt(std::max(0.0, 1.0 - 0.25 * r2))};
-    case Projection::fisheyeStereographic:
-      return {(1.0 - 0.25 * r2) / (1.0 + 0.25 * r2), 1.0 / (1.0 + 0.25 * r2)};
-    case Projection::fisheyeOrthographic:
-      return {std::sqrt(std::max(0.0, (1.0 - r) * (1.0 + r))), 1.0};
-    case Projection::fisheyeEquidistant:
-    case Projection::equirectangular:
-      break;
-  }
-  return {portable::cos(r), r > 0.0 ? portable::sin(r) / r : 1.0};
+  });
 }
 
-std::optional<Vec3> Camera::directionAt(Vec2 pixel) const {
-  Vec2 p{(pixel.x - centre_.x) / focal_, (centre_.y - pixel.y) / focal_};
-  if (settings_.projection == Projection::equirectangular) {
-    if (std::abs(p.x) > kPi * kAngleSlack || std::abs(p.y) > 0.5 * kPi * kAngleSlack) return std::nullopt;
-    const auto [sinLon, cosLon] = portable::sincos(p.x);
-    const auto [sinLat, cosLat] = portable::sincos(p.y);
-    return cosLat * sinLon * right_ + sinLat * up_ + cosLat * cosLon * forward_;
-  }
+template <class Facts>
+std::optional<Vec3> Camera::azimuthalDirection(Facts facts, Vec2 p) const {
   double r2 = p.x * p.x + p.y * p.y;
   const double r = std::sqrt(r2);
   if (r > circleRadius_) return std::nullopt;
@@ -213,7 +187,7 @@ std::optional<Vec3> Camera::directionAt(Vec2 pixel) const {
     p *= ideal / r;
     r2 = ideal * ideal;
   }
-  const auto [cosine, sinePerRadius] = atSquaredRadius(r2);
+  const auto [cosine, sinePerRadius] = facts.atSquaredRadius(r2);
   return sinePerRadius * (p.x * right_ + p.y * up_) + cosine * forward_;
 }
 

@@ -2,20 +2,14 @@
 #pragma once
 
 #include <optional>
-#include <string_view>
 #include <vector>
 
 #include "math/conventions.h"
 #include "sky/camera_settings.h"
-#include "sky/lens.h"
 
 namespace parhelion {
 
-/// The projection's name as scene files and image attributes spell it, "fisheye-equal-area" for one.
-std::string_view name(Projection projection);
-
-/// Whether the projection has an image circle.
-bool isFisheye(Projection projection);
+struct Lens;
 
 /// Where in the picture a point of the sky appears. The field of view and the focal length are those of the ideal lens,
 /// which a distortion does not change near the axis. Pixel coordinates: x to the right, y down, pixel (i, j) covers [i,
@@ -43,28 +37,11 @@ class Camera {
   /// The same, also beyond the picture's borders; none behind a rectilinear camera and outside the image circle.
   std::optional<Vec2> placeOf(const Vec3& toSky) const;
 
-  /// The same for lanes.
-  Lens lens() const {
-    const auto triple = [](const Vec3& v) { return Triple<double>{v.x, v.y, v.z}; };
-    return {settings_.projection,
-            static_cast<double>(settings_.width),
-            static_cast<double>(settings_.height),
-            triple(right_),
-            triple(up_),
-            triple(forward_),
-            centre_.x,
-            centre_.y,
-            focal_,
-            minCosine_,
-            settings_.distortion};
-  }
+  /// The same for lanes; sky/lens.h defines it.
+  Lens lens() const;
 
   /// Row-major index of the pixel in which project(toSky) lies.
-  std::optional<int> pixelAt(const Vec3& toSky) const {
-    const std::optional<Vec2> p = project(toSky);
-    if (!p) return std::nullopt;
-    return static_cast<int>(p->y) * settings_.width + static_cast<int>(p->x);
-  }
+  std::optional<int> pixelAt(const Vec3& toSky) const;
 
   /// Unit world vector toward the sky point at a place in the picture; none where the picture shows no sky.
   std::optional<Vec3> toSky(Vec2 pixel) const;
@@ -80,17 +57,17 @@ class Camera {
   std::vector<double> solidAngles() const;
 
  private:
-  /// cos theta, and sin theta over the radius, of the angle theta that appears at a radius of the ideal lens.
-  struct AxisAngle {
-    double cosine, sinePerRadius;
-  };
-  AxisAngle atSquaredRadius(double squared) const;  // focal lengths, not of an equirectangular picture
+  void limitDistortion();
+
+  // Of an azimuthal projection, whose facts (sky/projections.h) are the first argument; lengths in focal lengths.
+  template <class Facts>
+  std::optional<Vec3> azimuthalDirection(Facts facts, Vec2 place) const;
+  template <class Facts>
+  double azimuthalSolidAngle(Facts facts, Vec2 lo, Vec2 hi) const;
 
   /// (1 - cos theta) / r^2 at a distance r from the centre of the distorted picture, given its square.
-  double distortedHeight(double squared) const;
-
-  void limitDistortion();
-  double azimuthalSolidAngle(Vec2 lo, Vec2 hi) const;
+  template <class Facts>
+  double distortedHeight(Facts facts, double squared) const;
 
   CameraSettings settings_;
   Vec3 right_, up_, forward_;  // world, orthonormal
@@ -100,17 +77,5 @@ class Camera {
   double circleRadius_;        // the same where the lens shows it: of the image circle
   double minCosine_;           // of angles from the axis inside the circle, with slack for rounding
 };
-
-inline std::optional<Vec2> Camera::project(const Vec3& toSky) const {
-  const auto [inside, x, y] = lens().project<double>({toSky.x, toSky.y, toSky.z});
-  if (!inside) return std::nullopt;
-  return Vec2(x, y);
-}
-
-inline std::optional<Vec2> Camera::placeOf(const Vec3& toSky) const {
-  const auto [seen, x, y] = lens().place<double>({toSky.x, toSky.y, toSky.z});
-  if (!seen) return std::nullopt;
-  return Vec2(x, y);
-}
 
 }  // namespace parhelion

@@ -3,18 +3,9 @@
 
 #include "math/conventions.h"
 #include "sky/distortion.h"
+#include "sky/projection.h"
 
 namespace parhelion {
-
-/// How an angle theta from the optical axis becomes a distance r from the image's centre, in units of the focal length.
-enum class Projection {
-  rectilinear,           // r = tan theta
-  fisheyeEqualArea,      // r = 2 sin(theta / 2)
-  fisheyeEquidistant,    // r = theta
-  fisheyeStereographic,  // r = 2 tan(theta / 2)
-  fisheyeOrthographic,   // r = sin theta
-  equirectangular,       // x = longitude, y = latitude of the camera's frame
-};
 
 /// Which extent of the image `fieldOfView` is measured along.
 enum class FieldOfViewAxis { horizontal, vertical, diagonal };

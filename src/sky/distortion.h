@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "math/lanes.h"
+#include "math/inline.h"
 
 namespace parhelion {
 

@@ -1,24 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sky/tally_info_text.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <stdexcept>
 #include <string_view>
+#include <utility>
 
-#include "sky/camera.h"
+#include "sky/camera_keys.h"
 
 namespace parhelion {
 namespace {
 
 constexpr std::string_view kPrefix = "parhelion:";
 constexpr std::string_view kFormat = "2";  // of the tally's file; a reader of another format refuses it
-
-constexpr std::array kProjections = {Projection::rectilinear,         Projection::fisheyeEqualArea,
-                                     Projection::fisheyeEquidistant,  Projection::fisheyeStereographic,
-                                     Projection::fisheyeOrthographic, Projection::equirectangular};
-
-constexpr std::array<std::string_view, 3> kAxisNames = {"horizontal", "vertical", "diagonal"};  // as FieldOfViewAxis
 
 template <typename Number>
 std::string text(Number value) {
@@ -83,34 +79,73 @@ std::vector<RayRange> ranges(const ExrAttributes& attributes) {
   return joined(std::move(result));
 }
 
-CameraSettings cameraFromText(const ExrAttributes& attributes) {
-  CameraSettings camera;
-  const std::string &projection = value(attributes, "camera.projection"), &axis = value(attributes, "camera.fovAxis");
-  bool known = false;
-  for (const Projection p : kProjections) {
-    if (name(p) == projection) camera.projection = p, known = true;
+std::string cameraAttribute(std::string_view name) { return std::string("camera.").append(name); }
+
+/// Writes the keys of a camera (sky/camera_keys.h) as attributes.
+class CameraToText {
+ public:
+  CameraToText(const CameraSettings& camera, ExrAttributes& plain) : camera_(camera), plain_(plain) {}
+
+  void projection(const CameraKey& key) { put(key.attribute, std::string(name(camera_.projection))); }
+  void number(const CameraKey& key, auto /*unit*/, double CameraSettings::*member) {
+    put(key.attribute, text(camera_.*member));
   }
-  if (!known) bad("camera.projection");
-  known = false;
-  for (std::size_t i = 0; i < kAxisNames.size(); ++i) {
-    if (kAxisNames[i] == axis) camera.fieldOfViewAxis = static_cast<FieldOfViewAxis>(i), known = true;
+  void numberOrNone(const CameraKey& key, auto unit, double CameraSettings::*member) { number(key, unit, member); }
+  void numbers(const CameraKey&, auto /*unit*/, auto member, const auto& parts) {
+    for (const auto& part : parts) put(part.name, text(camera_.*member.*part.member));
   }
-  if (!known) bad("camera.fovAxis");
-  camera.azimuth = number<double>(attributes, "camera.azimuth");
-  camera.elevation = number<double>(attributes, "camera.elevation");
-  camera.roll = number<double>(attributes, "camera.roll");
-  camera.fieldOfView = number<double>(attributes, "camera.fov");
-  camera.imageCircle = number<double>(attributes, "camera.circle");
-  camera.distortion = {number<double>(attributes, "camera.k1"), number<double>(attributes, "camera.k2"),
-                       number<double>(attributes, "camera.k3")};
-  return camera;
-}
+  void fieldOfView(const FieldOfViewAttributes& names, InDegrees) {
+    put(names.axis, std::string(keyOf(camera_.fieldOfViewAxis).axisName));
+    put(names.angle, text(camera_.fieldOfView));
+  }
+  void resolution(const CameraKey&) {}
+
+ private:
+  void put(std::string_view attribute, std::string entry) { plain_[cameraAttribute(attribute)] = std::move(entry); }
+
+  const CameraSettings& camera_;
+  ExrAttributes& plain_;
+};
+
+/// Reads them back.
+class CameraFromText {
+ public:
+  CameraFromText(const ExrAttributes& attributes, CameraSettings& camera) : attributes_(attributes), camera_(camera) {}
+
+  void projection(const CameraKey& key) {
+    const std::string attribute = cameraAttribute(key.attribute);
+    const auto named = projectionNamed(value(attributes_, attribute));
+    if (!named) bad(attribute);
+    camera_.projection = *named;
+  }
+  void number(const CameraKey& key, auto /*unit*/, double CameraSettings::*member) {
+    camera_.*member = get(key.attribute);
+  }
+  void numberOrNone(const CameraKey& key, auto unit, double CameraSettings::*member) { number(key, unit, member); }
+  void numbers(const CameraKey&, auto /*unit*/, auto member, const auto& parts) {
+    for (const auto& part : parts) camera_.*member.*part.member = get(part.name);
+  }
+  void fieldOfView(const FieldOfViewAttributes& names, InDegrees) {
+    const std::string attribute = cameraAttribute(names.axis);
+    const std::string& axis = value(attributes_, attribute);
+    const auto key = std::ranges::find(kFieldOfViewKeys, std::string_view(axis), &FieldOfViewKey::axisName);
+    if (key == kFieldOfViewKeys.end()) bad(attribute);
+    camera_.fieldOfViewAxis = key->axis;
+    camera_.fieldOfView = get(names.angle);
+  }
+  void resolution(const CameraKey&) {}
+
+ private:
+  double get(std::string_view attribute) { return parhelion::number<double>(attributes_, cameraAttribute(attribute)); }
+
+  const ExrAttributes& attributes_;
+  CameraSettings& camera_;
+};
 
 }  // namespace
 
 ExrAttributes textFromInfo(const TallyInfo& info) {
-  const CameraSettings& camera = info.camera;
-  const ExrAttributes plain = {
+  ExrAttributes plain = {
       {"tally", std::string(kFormat)},
       {"version", info.version},
       {"scene", info.scene},
@@ -123,17 +158,9 @@ ExrAttributes textFromInfo(const TallyInfo& info) {
       {"white.Z", text(info.white.z)},
       {"sun.elevation", text(info.sunElevation)},
       {"sun.diameter", text(info.sunDiameter)},
-      {"camera.projection", std::string(name(camera.projection))},
-      {"camera.azimuth", text(camera.azimuth)},
-      {"camera.elevation", text(camera.elevation)},
-      {"camera.roll", text(camera.roll)},
-      {"camera.fovAxis", std::string(kAxisNames[static_cast<std::size_t>(camera.fieldOfViewAxis)])},
-      {"camera.fov", text(camera.fieldOfView)},
-      {"camera.circle", text(camera.imageCircle)},
-      {"camera.k1", text(camera.distortion.k1)},
-      {"camera.k2", text(camera.distortion.k2)},
-      {"camera.k3", text(camera.distortion.k3)},
   };
+  CameraToText camera(info.camera, plain);
+  visitCameraKeys(camera);
   ExrAttributes attributes = {{"software", "Parhelion " + info.version}};
   for (const auto& [key, entry] : plain) attributes[std::string(kPrefix) + key] = entry;
   return attributes;
@@ -152,7 +179,8 @@ TallyInfo infoFromText(const ExrAttributes& attributes) {
                 number<double>(attributes, "white.Z")};
   info.sunElevation = number<double>(attributes, "sun.elevation");
   info.sunDiameter = number<double>(attributes, "sun.diameter");
-  info.camera = cameraFromText(attributes);
+  CameraFromText camera(attributes, info.camera);
+  visitCameraKeys(camera);
   return info;
 }
 

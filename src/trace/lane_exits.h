@@ -4,6 +4,7 @@
 // Part of lane_code.cpp, and of nothing else.
 
 #include "optics/interface.h"
+#include "sky/lens.h"
 #include "trace/lane_types.h"
 
 namespace parhelion {

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// Everything that tells one projection from another. A struct in sky/projections/ has the facts of one, and
+// visitProjection() hands it to whoever asks. Lengths in the picture are in focal lengths, y up, from its centre;
+// directions are unit vectors of the camera's frame: x to its right, y up, z along the optical axis.
+//
+// Each struct has
+//   name                  as scene files and image attributes spell it
+//   isFisheye             whether it has an image circle
+//   isAzimuthal           whether the picture is alike all around the optical axis; only then may a lens distort it
+//   fieldOfView           degrees that a picture can show along its width or diagonal
+//   verticalFieldOfView   and along its height
+//   hasDiagonal           whether a field of view along the diagonal makes sense
+//   defaultFieldOfView, defaultElevation, defaultWidthPerHeight    of a scene that does not say; degrees
+//   radiusAt(angle)       half the picture's extent for half a field of view
+//   angleAt(radius)       its inverse; none beyond what the projection can show
+//
+// An azimuthal one has
+//   radiusPerSine(v)      r / sin theta of a direction; for lanes too
+//   atSquaredRadius(r2)   the angle theta that appears at a distance, given its square
+//   circleHeight(r2)      1 - cos theta at a distance, given its square, without cancellation
+//   edgeIntegral(c, a, b) the part of a straight edge in a pixel's solid angle, see camera_solid_angle.cpp, unless it
+//                         has rectangle()
+//
+// The others have
+//   place(v)              where a direction appears; for lanes too
+//   direction(p)          its inverse; none where the picture shows no sky
+//   rectangle(lo, hi)     solid angle (sr) of the part of the sky that a rectangle shows
+
+#include <array>
+#include <cassert>
+
+#include "sky/projection.h"
+#include "sky/projections/equal_area.h"
+#include "sky/projections/equidistant.h"
+#include "sky/projections/equirectangular.h"
+#include "sky/projections/orthographic.h"
+#include "sky/projections/rectilinear.h"
+#include "sky/projections/stereographic.h"
+
+namespace parhelion {
+
+/// What `visit` returns for the facts of the projection; what `otherwise` returns for a number that is no projection.
+template <class Visitor, class Otherwise>
+PARHELION_INLINE constexpr auto visitProjection(Projection projection, const Visitor& visit,
+                                                const Otherwise& otherwise) {
+  switch (projection) {  // without default: the compiler asks for a case that is missing
+    case Projection::rectilinear:
+      return visit(projections::Rectilinear{});
+    case Projection::fisheyeEqualArea:
+      return visit(projections::EqualArea{});
+    case Projection::fisheyeEquidistant:
+      return visit(projections::Equidistant{});
+    case Projection::fisheyeStereographic:
+      return visit(projections::Stereographic{});
+    case Projection::fisheyeOrthographic:
+      return visit(projections::Orthographic{});
+    case Projection::equirectangular:
+      return visit(projections::Equirectangular{});
+  }
+  return otherwise();
+}
+
+/// What `visit` returns for the facts of the projection.
+template <class Visitor>
+PARHELION_INLINE constexpr auto visitProjection(Projection projection, const Visitor& visit) {
+  using Result = decltype(visit(projections::Rectilinear{}));
+  return visitProjection(
+      projection, visit, []() __attribute__((always_inline))->Result {
+        assert(false);
+        __builtin_unreachable();
+      });
+}
+
+/// The enumerators count from 0, so the first number that has no facts is how many there are.
+constexpr std::size_t countProjections() {
+  int count = 0;
+  while (visitProjection(
+      static_cast<Projection>(count), [](auto) { return true; }, [] { return false; }))
+    ++count;
+  return static_cast<std::size_t>(count);
+}
+
+/// All projections, in the enumeration's order.
+inline constexpr auto kProjections = [] {
+  std::array<Projection, countProjections()> all{};
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<Projection>(i);
+  return all;
+}();
+
+}  // namespace parhelion
