@@ -121,7 +121,7 @@ CameraSettings defaultCamera(Projection projection) {
   return camera;
 }
 
-bool CameraTable::read(const Value& in, CameraSettings& out) const {
+bool kinds::CameraTable::read(const Value& in, CameraSettings& out) const {
   const toml::table* table = in.node.as_table();
   if (!table) return in.mustBe("a table");
   TableReader reader(*table, "[camera]", in.complaints);
@@ -140,6 +140,6 @@ bool CameraTable::read(const Value& in, CameraSettings& out) const {
   return true;
 }
 
-Json CameraTable::schema() const { return tableSchema<CameraKeys>(); }
+Json kinds::CameraTable::schema() const { return tableSchema<CameraKeys>(); }
 
 }  // namespace parhelion
