@@ -12,10 +12,12 @@
 
 namespace parhelion {
 
-/// Whatever finds the next face of one mesh. Each has the same two functions:
+/// Whatever finds the next face of one mesh. Each has the same two functions, for one ray and for all rays of a pool:
 ///
 ///   std::optional<FaceHit> nextFace(const Crystal&, const Vec3& point, const Vec3& lightDir, int leftFace) const
-///   int findFaces(const MeshTables&, const LaneSteps&, RayPool&) const    of all rays of a pool; how many the planes decided
+///   int findFaces(const MeshTables&, const LaneSteps&, RayPool&) const
+///
+/// The latter returns for how many rays the engine found no face and the planes decided.
 using Intersector = std::variant<EmbreeIntersector, PlanesIntersector>;
 
 /// One intersector a population, in the populations' order. Valid as long as the cloud.

@@ -3,6 +3,7 @@
 
 #include "band_limited_field.h"
 #include "hit_maps.h"
+#include "recon/methods.h"
 
 namespace parhelion {
 namespace {

@@ -5,6 +5,7 @@
 
 #include <tbb/task_arena.h>
 
+#include "recon/methods.h"
 #include "synthetic_hits.h"
 
 namespace parhelion {

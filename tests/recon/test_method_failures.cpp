@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <doctest/doctest.h>
 
+#include "recon/methods.h"
 #include "recon/published/square_sizes.h"
 #include "synthetic_hits.h"
 

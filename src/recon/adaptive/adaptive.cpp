@@ -2,6 +2,7 @@
 #include "picture/colour_space.h"
 #include "recon/adaptive/adaptive_filter.h"
 #include "recon/adaptive/guard_band.h"
+#include "recon/methods.h"
 #include "recon/sky_light.h"
 
 namespace parhelion {
