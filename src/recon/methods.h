@@ -11,9 +11,9 @@ namespace parhelion {
 // How the methods work, one function each, told apart by their settings. A method is given either the tally or, when it
 // knows nothing but pixels, the hits in them: reconstruct() takes whichever of the two there is.
 
-/// Every hit is spread over a kernel whose size follows the density of hits and whose shape follows the arcs, from wide
-/// kernels to narrow ones, and a correction by narrower kernels is kept only where it stands above the noise. Never
-/// negative luminance; all light of the sky's pixels is kept.
+/// Every hit is spread over a kernel. The kernel's size follows the density of hits, its shape follows the arcs. The
+/// picture of wide kernels comes first. Then ever narrower kernels correct it, and a correction is kept only where it
+/// stands above the noise. The luminance is never negative, and all light in pixels with sky is kept.
 ReconstructedSky reconstructSky(const Tally& tally, const AdaptiveSettings& settings, const Watch& watch);
 
 /// The plain radiance of the pixels.
