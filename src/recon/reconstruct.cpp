@@ -40,7 +40,7 @@ ReconstructedSky reconstructSky(const Tally& tally, const NoSettings&, const Wat
 
 ReconstructedSky reconstruct(const Tally& tally, const ReconSettings& settings, const Watch& watch) {
   ReconstructedSky sky = std::visit([&](const auto& own) { return byMethod(tally, own, watch); }, settings);
-  if (isDark(tally)) sky.remarks.push_back("no light in the sky: the picture is black");
+  if (isDark(tally)) sky.remarks.emplace_back("no light in the sky: the picture is black");
   watch.at(1.0);
   return sky;
 }

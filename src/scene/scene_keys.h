@@ -166,11 +166,11 @@ void visitKeys(Visitor& v, ReconSettings& r) {
   v.key("samples", kinds::MemberOf(kinds::Optional{kinds::Number{{0, 1e12, true}}}, &GonzatoMarchandSettings::samples),
         r, "gonzato-marchand: m, hits that a square grows to hold. Left out: by the number of hits.");
   v.key("lobes", kinds::MemberOf(kinds::WithoutDefault{kinds::Number{{1, 16}}}, &GonzatoMarchandSettings::lobes), r,
-        "gonzato-marchand: k, zeros of the sinc inside a kernel; 1 when left out, above which steps ring.");
+        "gonzato-marchand: k, zeros of the sinc inside a kernel; 1 when left out, above which kernels ring.");
   v.key("gain", kinds::MemberOf(kinds::WithoutDefault{kinds::Choice<KernelGain>{}}, &GonzatoMarchandSettings::gain), r,
-        "gonzato-marchand: steps that add up to 1 (\"unit\", when left out) or are used as published (\"paper\").");
+        "gonzato-marchand: kernels that add up to 1 (\"unit\", when left out) or are used as published (\"paper\").");
   v.key("flow", kinds::MemberOf(kinds::WithoutDefault{kinds::Choice<KernelFlow>{}}, &GonzatoMarchandSettings::flow), r,
-        "gonzato-marchand: steps sized where light comes from (\"scatter\", when left out) or goes to (\"gather\").");
+        "gonzato-marchand: kernels sized where light comes from (\"scatter\", when left out) or goes to (\"gather\").");
   v.key("iterations",
         kinds::MemberOf(kinds::WithoutDefault{kinds::WholeNumber{0, 1000}}, &MarvastiSettings::iterations,
                         &VoronoiSettings::iterations, &ActSettings::iterations, &GonzatoMarchandSettings::iterations),
