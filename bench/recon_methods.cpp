@@ -13,7 +13,7 @@ constexpr double kSlow = 2.0;  // s, from which on other programs' share of a si
 
 }  // namespace
 
-std::string Contender::methodName() const { return std::string(nameOf(methodOf(method))); }
+std::string Contender::methodName() const { return std::string(nameOf(method)); }
 
 std::span<const Contender> contenders() {
   static const std::array<Contender, 11> all{{

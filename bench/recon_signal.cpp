@@ -5,12 +5,7 @@
 #include "math/overloaded.h"
 #include "math/portable.h"
 #include "random_stream.h"
-#include "recon/published/act.h"
-#include "recon/published/gaussian.h"
-#include "recon/published/glassner.h"
-#include "recon/published/gonzato_marchand.h"
-#include "recon/published/marvasti.h"
-#include "recon/published/voronoi.h"
+#include "recon/methods.h"
 #include "recon_methods.h"
 
 namespace parhelion::bench {
@@ -62,19 +57,14 @@ HitMap signalHits() {
 }
 
 Reconstruction reconstructSignal(const HitMap& map, const ReconSettings& method) {
-  return std::visit(Overloaded{
-                        [&](const GaussianSettings& own) { return gaussian(map, own, {}); },
-                        [&](const GlassnerSettings& own) { return glassner(map, own, {}); },
-                        [&](const MarvastiSettings& own) { return marvasti(map, own, {}); },
-                        [&](const VoronoiSettings& own) { return voronoi(map, own, {}); },
-                        [&](const ActSettings& own) { return act(map, own, {}); },
-                        [&](const GonzatoMarchandSettings& own) { return gonzatoMarchand(map, own, {}); },
-                        // The adaptive filters are made for the sky alone.
-                        [&](const auto&) {
-                          return Reconstruction{map.lights, {}};
-                        },
-                    },
-                    method);
+  return std::visit(
+      [&](const auto& own) {
+        if constexpr (requires { reconstructHits(map, own, {}); }) return reconstructHits(map, own, {});
+        // The adaptive filters are made for the sky alone.
+        else
+          return Reconstruction{map.lights, {}};
+      },
+      method);
 }
 
 }  // namespace

@@ -120,7 +120,7 @@ void registerAll() {
   for (const Projection projection :
        {Projection::rectilinear, Projection::fisheyeEqualArea, Projection::fisheyeEquidistant,
         Projection::fisheyeStereographic, Projection::fisheyeOrthographic, Projection::equirectangular})
-    RegisterBenchmark(("Camera::pixelAt/" + std::string(name(projection))).c_str(),
+    RegisterBenchmark(("Camera::pixelAt/" + std::string(nameOf(projection))).c_str(),
                       [projection](benchmark::State& state) { pixelAt(state, projection); });
   RegisterBenchmark("TabulatedDensity::sample", tabulatedSample);
   RegisterBenchmark("DepositBuffer::add", depositBuffer);

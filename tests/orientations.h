@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "math/portable.h"
 #include "math/rotation.h"
+#include "math/rotation_columns.h"
 
 namespace parhelion {
 

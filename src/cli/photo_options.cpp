@@ -102,7 +102,7 @@ void PhotoOptions::addTo(CLI::App& command) {
   };
   command.add_option("--projection", projection, "The photograph's lens, as in scenes; rectilinear when left out")
       ->type_name("NAME")
-      ->check(nameOfOne<Projection>(namesOf(Projection{})));
+      ->check(nameOfOne<Projection>());
   angle("--fov-horizontal", fovHorizontal, "Field of view from left to right; from the EXIF when left out", 0.1, 360.0);
   angle("--fov-vertical", fovVertical, "Field of view from bottom to top", 0.1, 360.0);
   angle("--fov-diagonal", fovDiagonal, "Field of view from corner to corner", 0.1, 360.0);

@@ -200,7 +200,7 @@ int runRecon(const ReconOptions& options) {
   // Before the sun is drawn.
   if (!options.confidence.empty())
     writePng(options.confidence, confidence(run.sky.image), {{"Software", "parhelion " PARHELION_VERSION}});
-  if (!options.stats.empty()) writeReconStats(options, tally, nameOf(methodOf(loaded.scene.recon)), run);
+  if (!options.stats.empty()) writeReconStats(options, tally, nameOf(loaded.scene.recon), run);
   printComparison(options, run, references);
   writePicture(std::move(run.sky), tally.info, loaded, options.picture, name, options.quiet);
   return kDone;
@@ -220,7 +220,7 @@ void addOptions(CLI::App& command, ReconOptions& options) {
   command.add_option("tally", options.tally, "A tally that trace has written")->required()->type_name("TALLY");
   command.add_option("--method", options.method, "How hits become an image; as the scene says when left out")
       ->type_name("NAME")
-      ->check(nameOfOne<ReconMethod>(kReconMethodNames));
+      ->check(nameOfOne<ReconSettings>());
   addOverrides(command, options.overrides);
   command.get_option("-D")
       ->description("Override a key of recon, for one recon.method=none; may be repeated")

@@ -27,7 +27,7 @@ std::string validRays(const std::string& text) {
 template <class E>
 std::string choices() {
   std::string all;
-  for (const Named<E>& named : namesOf(E{})) all += (all.empty() ? "" : "|") + std::string(named.name);
+  for (const std::string_view name : kNamesOf<E>) all += (all.empty() ? "" : "|") + std::string(name);
   return all;
 }
 
@@ -113,14 +113,14 @@ void RunOptions::addTracingTo(CLI::App& command, bool hasImage) {
   command.add_option("--seed", seed, "Seed of the random numbers")->type_name("N")->check(wholeNumber());
   command.add_option("--engine", engine, "What finds the next face of a crystal")
       ->type_name(choices<Engine>())
-      ->check(nameOfOne<Engine>(kEngineNames));
+      ->check(nameOfOne<Engine>());
   command.add_option("--sampler", sampler, "Where the numbers come from that rays are drawn from")
       ->type_name(choices<Sampler>())
-      ->check(nameOfOne<Sampler>(kSamplerNames));
+      ->check(nameOfOne<Sampler>());
   if (hasImage)
     command.add_option("--symmetry", symmetry, "Symmetry of the sky to make use of")
         ->type_name(choices<Symmetry>())
-        ->check(nameOfOne<Symmetry>(kSymmetryNames));
+        ->check(nameOfOne<Symmetry>());
   command.add_option("--time", timeLimit, "Stop after this many seconds, whatever has been traced")
       ->type_name("SECONDS")
       ->check(number(1e-3, 1e9));
@@ -129,7 +129,7 @@ void RunOptions::addTracingTo(CLI::App& command, bool hasImage) {
       ->check(CLI::Range(1, 4096));
   command.add_option("--simd", simd, "Vector registers to use; the picture is the same with all of them")
       ->type_name(choices<Simd>())
-      ->check(nameOfOne<Simd>(kSimdNames));
+      ->check(nameOfOne<Simd>());
   command.add_flag("--quiet", quiet, "No progress and no ledger on stderr");
   command.add_option("--progress", progress, "Progress as lines of JSON, for farms")
       ->check(CLI::IsMember({"auto", "json"}));

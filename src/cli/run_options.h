@@ -54,12 +54,10 @@ CLI::Validator fileOfKind(std::vector<std::string> extensions, std::string expec
 
 CLI::Validator oneOf(std::vector<std::string_view> accepted);
 
-/// One of the names, with a suggestion where it is nearly one.
-template <class E>
-CLI::Validator nameOfOne(std::span<const Named<E>> names) {
-  std::vector<std::string_view> accepted;
-  for (const Named<E>& named : names) accepted.push_back(named.name);
-  return oneOf(std::move(accepted));
+/// One of the names of a family (math/names.h), with a suggestion where it is nearly one.
+template <class Family>
+CLI::Validator nameOfOne() {
+  return oneOf(acceptedNames<Family>());
 }
 
 /// How a run ended.

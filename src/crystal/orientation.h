@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <memory>
+#include <functional>
 #include <vector>
 
 #include "crystal/angle_quantile.h"
@@ -13,11 +13,8 @@ namespace parhelion {
 /// One angle or aspect ratio, drawn by inversion: a single number in (0, 1) gives the value.
 class ValueSampler {
  public:
-  /// Whether a Normal is a density per unit of the value, or per solid angle about a pole at 0 and pi.
-  enum class Measure { linear, solidAngle };
-
-  /// A plain value in [lowest, highest], to which Normal, PolarNormal and Laplace are cut off.
-  ValueSampler(const AngleDistribution& distribution, Measure measure, double lowest, double highest);
+  /// A plain value in [lowest, highest], to which distributions that are tabulated are cut off.
+  ValueSampler(const AngleDistribution& distribution, DensityPer per, double lowest, double highest);
 
   double sample(double u) const { return quantile_.at(u); }
 
@@ -25,11 +22,10 @@ class ValueSampler {
   const AngleQuantile& quantile() const { return quantile_; }
 
   /// Probability per unit of the value, before any folding. Infinite where a fixed value sits.
-  double density(double x) const;
+  double density(double x) const { return density_(x); }
 
  private:
-  AngleDistribution distribution_;
-  std::shared_ptr<const TabulatedDensity> table_;  // Normal, PolarNormal and Laplace of non-zero width
+  std::function<double(double)> density_;  // holds the table that the quantile looks into
   AngleQuantile quantile_;
 };
 

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "crystal/crystal_mesh.h"
-#include "crystal/population_settings.h"
+#include <variant>
+
+#include "crystal/shapes/prism.h"
+#include "crystal/shapes/pyramid.h"
 
 namespace parhelion {
 
-/// Hexagonal prism centred on the origin, hexagon side 1, length 2 * `aspect` along c. Faces 1-8.
-CrystalMesh hexagonalPrism(double aspect);
-
-/// Hexagonal prism with pyramids on its ends, hexagon side 1 where they meet the prism. Faces 13-18 and 23-28 lie above
-/// and below the prism faces 3-8; basal faces 1 and 2 exist where a pyramid is cut off, prism faces where aspect > 0.
-/// Throws std::invalid_argument when nothing encloses a volume.
-CrystalMesh hexagonalPyramid(const PyramidSettings& settings);
+/// The shapes of crystals. Each is a struct of settings in a file of its own, which also says what it is like:
+///
+///   CrystalMesh meshOf(const Settings&)                            at its only stretch, or at 1 to be stretched
+///   std::optional<AngleDistribution> stretchOf(const Settings&)    along c; empty when all crystals are alike
+///   bool hasEndsAlike(const Settings&)                             its own mirror image in the plane across c
+using ShapeSettings = std::variant<PrismSettings, PyramidSettings>;
 
 }  // namespace parhelion

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "math/overloaded.h"
 
@@ -23,18 +24,10 @@ constexpr double kAngleSlack = 1e-12;
 
 bool isMultipleOf(double x, double period) { return std::abs(std::remainder(x, period)) < kAngleSlack; }
 
-/// The value about which a distribution is symmetric: all of them are, about their mean.
-double centreOf(const AngleDistribution& distribution) {
-  return std::visit(
-      Overloaded{[](const FixedValue& d) { return d.value; },
-                 [](const UniformRange& d) { return 0.5 * (d.from + d.to); }, [](const auto& d) { return d.mean; }},
-      distribution);
-}
-
 /// Uniform over whole periods.
 bool isFree(const AngleDistribution& distribution, double period) {
-  const auto* range = std::get_if<UniformRange>(&distribution);
-  return range && std::abs(range->to - range->from) > kAngleSlack && isMultipleOf(range->to - range->from, period);
+  const std::optional<double> width = uniformWidth(distribution);
+  return width && std::abs(*width) > kAngleSlack && isMultipleOf(*width, period);
 }
 
 /// Unchanged by angle -> 2 `about` - angle, angles that differ by `period` being the same.
@@ -47,12 +40,7 @@ bool isEvenAboutHorizon(const AngleDistribution& zenith) {
   return std::abs(centreOf(zenith) - 0.5 * kPi) < kAngleSlack;
 }
 
-/// Whether the crystal is its own mirror image in the plane across c.
-bool hasEndsAlike(const ShapeSettings& shape) {
-  return std::visit(Overloaded{[](const PrismSettings&) { return true; },
-                               [](const PyramidSettings& p) { return p.upper == p.lower; }},
-                    shape);
-}
+bool isMirrorSymmetric(const RandomOrientation&, bool) { return true; }
 
 bool isMirrorSymmetric(const AxisOrientation& axis, bool endsAlike) {
   constexpr double kTurn = 2.0 * kPi, kSixth = kPi / 3.0;
@@ -69,14 +57,18 @@ bool isMirrorSymmetric(const LowitzOrientation& lowitz, bool endsAlike) {
 }  // namespace
 
 bool isMirrorSymmetric(const PopulationSettings& population) {
-  const bool endsAlike = hasEndsAlike(population.shape);
-  return std::visit(Overloaded{[](const RandomOrientation&) { return true; },
-                               [=](const auto& orientation) { return isMirrorSymmetric(orientation, endsAlike); }},
+  const bool endsAlike = std::visit([](const auto& shape) { return hasEndsAlike(shape); }, population.shape);
+  return std::visit([=](const auto& orientation) { return isMirrorSymmetric(orientation, endsAlike); },
                     population.orientation);
 }
 
 bool isFullyRandom(const PopulationSettings& population) {
-  return std::holds_alternative<RandomOrientation>(population.orientation);
+  return std::visit(Overloaded{
+                        [](const RandomOrientation&) { return true; },
+                        [](const AxisOrientation&) { return false; },
+                        [](const LowitzOrientation&) { return false; },
+                    },
+                    population.orientation);
 }
 
 const PopulationSettings* firstWithout(bool (*holds)(const PopulationSettings&),

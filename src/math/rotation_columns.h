@@ -11,7 +11,9 @@ struct RotationColumns {
   Triple<T> x, y, z;
 };
 
-/// crystalOrientation() from the sines and cosines of its angles.
+/// The crystal-to-world rotation of a crystal whose c axis points to zenith angle `zenith` and sky azimuth `azimuth`,
+/// from the sines and cosines of its angles. The crystal is turned by `roll` about that axis. At roll 0 the normals of
+/// faces 3 and 6 lie in the vertical plane through the c axis.
 template <class T>
 PARHELION_INLINE RotationColumns<T> axisRotation(const SineCosine<T>& zenith, const SineCosine<T>& azimuth,
                                                  const SineCosine<T>& roll) {

@@ -30,4 +30,13 @@ double refractiveIndex(const IceSettings& ice, double wavelength, std::uint64_t 
                     ice);
 }
 
+bool differsByBundle(const IceSettings& ice) {
+  return std::visit(Overloaded{
+                        [](const TabulatedIce&) { return false; },
+                        [](const ConstantIce&) { return false; },
+                        [](const IceMixture&) { return true; },
+                    },
+                    ice);
+}
+
 }  // namespace parhelion

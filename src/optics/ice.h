@@ -15,4 +15,7 @@ double iceIndex(double wavelength);
 /// (nm). Of a mixture, two bundles in a row take the same, so that the bundles of even number see all of it.
 double refractiveIndex(const IceSettings& ice, double wavelength, std::uint64_t bundle = 0);
 
+/// Whether bundles of one wavelength meet different indices.
+bool differsByBundle(const IceSettings& ice);
+
 }  // namespace parhelion

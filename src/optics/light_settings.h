@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -12,6 +13,18 @@ namespace parhelion {
 struct ContinuousSpectrum {
   enum class Source { extraterrestrial, airMass1_5, equal } source = Source::extraterrestrial;
 };
+
+constexpr std::string_view nameOf(ContinuousSpectrum::Source value) {
+  switch (value) {
+    case ContinuousSpectrum::Source::extraterrestrial:
+      return "sun";
+    case ContinuousSpectrum::Source::airMass1_5:
+      return "sun-am1.5";
+    case ContinuousSpectrum::Source::equal:
+      return "equal";
+  }
+  return {};
+}
 
 /// One wavelength: luminance only, no colour.
 struct MonochromaticSpectrum {

@@ -7,6 +7,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "math/overloaded.h"
 #include "optics/tables.h"
 
 namespace parhelion {
@@ -46,12 +47,14 @@ Vec3 observer1931(double wavelength) {
 }
 
 Spectrum::Spectrum(const SpectrumSettings& settings) {
-  if (const auto* continuous = std::get_if<ContinuousSpectrum>(&settings))
-    buildContinuous(*continuous);
-  else if (const auto* line = std::get_if<MonochromaticSpectrum>(&settings))
-    lines_ = {{line->wavelength, Vec3(1.0), 1.0}};
-  else
-    buildLines(std::get<LineSpectrum>(settings).wavelengths);
+  std::visit(Overloaded{
+                 [&](const ContinuousSpectrum& s) { buildContinuous(s); },
+                 [&](const MonochromaticSpectrum& s) {
+                   lines_ = {{s.wavelength, Vec3(1.0), 1.0}};
+                 },
+                 [&](const LineSpectrum& s) { buildLines(s.wavelengths); },
+             },
+             settings);
 }
 
 void Spectrum::buildContinuous(const ContinuousSpectrum& settings) {

@@ -118,7 +118,7 @@ CameraSettings withFocalLength(CameraSettings settings, double focalPixels) {
     settings.fieldOfView = 2.0 * *angle;
     return settings;
   }
-  throw std::invalid_argument("a " + std::string(name(settings.projection)) + " lens with a focal length of " +
+  throw std::invalid_argument("a " + std::string(nameOf(settings.projection)) + " lens with a focal length of " +
                               text(focalPixels) + " pixels does not fill the picture along either side");
 }
 

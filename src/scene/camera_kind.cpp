@@ -21,7 +21,7 @@ void checkAngle(TableReader& reader, std::string_view key, double angle, const R
 void checkFieldOfView(TableReader& reader, const FieldOfViewKey& key, double angle, Projection projection) {
   visitProjection(projection, [&](auto facts) {
     if (!facts.hasDiagonal && key.axis == FieldOfViewAxis::diagonal) {
-      reader.reject(key.name, std::string("an ").append(facts.name) + " image has no diagonal field of view",
+      reader.reject(key.name, std::string("an ").append(nameOf(projection)) + " image has no diagonal field of view",
                     "give fov_horizontal or fov_vertical");
       return;
     }
@@ -81,15 +81,6 @@ void applyFieldOfView(TableReader& reader, const CameraKeys& keys, CameraSetting
 
 }  // namespace
 
-std::span<const Named<Projection>> namesOf(Projection) {
-  static const auto kNames = [] {
-    std::array<Named<Projection>, kProjections.size()> names{};
-    std::ranges::transform(kProjections, names.begin(), [](Projection p) { return Named<Projection>{name(p), p}; });
-    return names;
-  }();
-  return kNames;
-}
-
 CameraSettings defaultCamera(Projection projection) {
   CameraSettings camera;
   camera.projection = projection;
@@ -101,7 +92,7 @@ CameraSettings defaultCamera(Projection projection) {
   return camera;
 }
 
-bool CameraTable::read(const Value& in, CameraSettings& out) const {
+bool kinds::CameraTable::read(const Value& in, CameraSettings& out) const {
   const toml::table* table = in.node.as_table();
   if (!table) return in.mustBe("a table");
   TableReader reader(*table, "[camera]", in.complaints);
@@ -119,6 +110,6 @@ bool CameraTable::read(const Value& in, CameraSettings& out) const {
   return true;
 }
 
-Json CameraTable::schema() const { return tableSchema<CameraKeys>(); }
+Json kinds::CameraTable::schema() const { return tableSchema<CameraKeys>(); }
 
 }  // namespace parhelion

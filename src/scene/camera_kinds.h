@@ -11,7 +11,7 @@
 #include "scene/table_kinds.h"
 #include "sky/camera_keys.h"
 
-namespace parhelion {
+namespace parhelion::kinds {
 
 /// A number of which 0 means that it was left out, so that it has no default.
 template <class Kind>
@@ -53,6 +53,10 @@ struct NumberList {
   }
 };
 
+}  // namespace parhelion::kinds
+
+namespace parhelion {
+
 /// The [camera] as its keys say it; camera_kind.cpp makes CameraSettings of it.
 struct CameraKeys {
   CameraSettings camera;
@@ -67,7 +71,7 @@ class CameraKinds {
   CameraKinds(Visitor& v, CameraKeys& keys) : v_(v), keys_(keys), camera_(keys.camera) {}
 
   void projection(const CameraKey& key) {
-    v_.key(key.name, Choice<Projection>{}, camera_.projection, key.documentation);
+    v_.key(key.name, kinds::Choice<Projection>{}, camera_.projection, key.documentation);
     camera_ = defaultCamera(camera_.projection);
     keys_.resolution = {camera_.width, camera_.height};
   }
@@ -75,24 +79,24 @@ class CameraKinds {
     v_.key(key.name, kindOf(unit), camera_.*member, key.documentation);
   }
   void numberOrNone(const CameraKey& key, auto unit, double CameraSettings::*member) {
-    v_.key(key.name, NoneIfZero{kindOf(unit)}, camera_.*member, key.documentation);
+    v_.key(key.name, kinds::NoneIfZero{kindOf(unit)}, camera_.*member, key.documentation);
   }
   template <class Struct, std::size_t N>
   void numbers(const CameraKey& key, Unitless unit, Struct CameraSettings::*member,
                const std::array<NumberPart<Struct>, N>& parts) {
-    v_.key(key.name, NumberList<Struct, N>{unit.range, parts}, camera_.*member, key.documentation);
+    v_.key(key.name, kinds::NumberList<Struct, N>{unit.range, parts}, camera_.*member, key.documentation);
   }
   void fieldOfView(const FieldOfViewAttributes&, InDegrees unit) {
     for (std::size_t i = 0; i < kFieldOfViewKeys.size(); ++i) {
       const FieldOfViewKey& key = kFieldOfViewKeys[i];
-      v_.key(key.name, Optional{kindOf(unit)}, keys_.fieldsOfView[i], key.documentation);
+      v_.key(key.name, kinds::Optional{kindOf(unit)}, keys_.fieldsOfView[i], key.documentation);
     }
   }
-  void resolution(const CameraKey& key) { v_.key(key.name, Resolution{}, keys_.resolution, key.documentation); }
+  void resolution(const CameraKey& key) { v_.key(key.name, kinds::Resolution{}, keys_.resolution, key.documentation); }
 
  private:
-  static Angle kindOf(InDegrees unit) { return {unit.range}; }
-  static Number kindOf(Unitless unit) { return {unit.range}; }
+  static kinds::Angle kindOf(InDegrees unit) { return {unit.range}; }
+  static kinds::Number kindOf(Unitless unit) { return {unit.range}; }
 
   Visitor& v_;
   CameraKeys& keys_;
@@ -101,8 +105,8 @@ class CameraKinds {
 
 template <class Visitor>
 void visitKeys(Visitor& v, CameraKeys& c) {
-  CameraKinds<Visitor> kinds(v, c);
-  visitCameraKeys(kinds);
+  CameraKinds<Visitor> camera(v, c);
+  visitCameraKeys(camera);
 }
 
 }  // namespace parhelion

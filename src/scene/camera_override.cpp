@@ -22,7 +22,7 @@ class OverrideWriter {
 
   const std::string& text() const { return text_; }
 
-  void projection(const CameraKey& key) { entry(key.name, std::string("\"").append(name(camera_.projection)) + '"'); }
+  void projection(const CameraKey& key) { entry(key.name, std::string("\"").append(nameOf(camera_.projection)) + '"'); }
   void number(const CameraKey& key, auto unit, double CameraSettings::*member) {
     entry(key.name, digits(unit.shown(camera_.*member)));
   }

@@ -4,6 +4,7 @@
 #include "math/overloaded.h"
 #include "scene/names.h"
 #include "scene/range.h"
+#include "scene/scene_keys.h"
 #include "sky/camera_keys.h"
 
 namespace parhelion {
@@ -17,22 +18,19 @@ std::string inDegrees(double angle) { return formatNumber(degrees(angle)) + "°"
 
 template <class Distribution>
 std::string describe(const Distribution& distribution, Show show) {
-  return std::visit(Overloaded{
-                        [&](const FixedValue& d) { return show(d.value); },
-                        [&](const UniformRange& d) { return show(d.from) + " to " + show(d.to); },
-                        [&](const Normal& d) { return show(d.mean) + ", normal, sigma " + show(d.sigma); },
-                        [&](const PolarNormal& d) { return show(d.mean) + ", polar-normal, sigma " + show(d.sigma); },
-                        [&](const Arcsine& d) { return show(d.mean) + ", arcsine, amplitude " + show(d.amplitude); },
-                        [&](const Laplace& d) { return show(d.mean) + ", laplace, scale " + show(d.scale); },
-                    },
-                    distribution);
+  const auto fixed = [=](const FixedValue& d) { return show(d.value); };
+  const auto spread = [=]<class D>(const D& d) {
+    const auto& [first, second] = d;
+    const DistributionWords& words = D::kWords;
+    if (words.isRange) return show(first) + " to " + show(second);
+    return show(first) + ", " + std::string(words.name) + ", " + std::string(words.second) + " " + show(second);
+  };
+  return std::visit(Overloaded{fixed, spread}, distribution);
 }
 
 /// The same for an azimuth or a roll, which may take every value.
 std::string describeTurn(const AngleDistribution& turn) {
-  const auto* range = std::get_if<UniformRange>(&turn);
-  const bool isFree = range && range->to - range->from >= 2.0 * kPi;
-  return isFree ? "free" : describe(turn, inDegrees);
+  return uniformWidth(turn).value_or(0.0) >= 2.0 * kPi ? "free" : describe(turn, inDegrees);
 }
 
 std::string describe(const OrientationSettings& orientation) {
@@ -50,16 +48,42 @@ std::string describe(const OrientationSettings& orientation) {
                     orientation);
 }
 
+std::string wordsFor(const kinds::Number&, double value) { return plain(value); }
+std::string wordsFor(const kinds::Angle&, double angle) { return inDegrees(angle); }
+std::string wordsFor(double aspect) { return plain(aspect); }
+std::string wordsFor(const AspectDistribution& aspect) { return describe(aspect, plain); }
+
+/// Visits the keys of a population and describes its shape by those that the shape has.
+class ShapeWords {
+ public:
+  template <class Kind, class T>
+  void key(std::string_view, const Kind&, const T&, std::string_view) {}
+
+  template <class Kind, class T, class... Owners>
+  void key(std::string_view name, const kinds::MemberOf<Kind, T, Owners...>& kind, const ShapeSettings& shape,
+           std::string_view) {
+    kind.visitMember(shape, [&](const T& member) { add(name, wordsFor(kind.kind(), member)); });
+  }
+  void key(std::string_view name, const kinds::Aspect&, const ShapeSettings& shape, std::string_view) {
+    std::visit(
+        [&](const auto& own) {
+          if constexpr (requires { own.aspect; }) add(name, wordsFor(own.aspect));
+        },
+        shape);
+  }
+  const std::string& text() const { return text_; }
+
+ private:
+  void add(std::string_view name, const std::string& words) { text_ += ", " + std::string(name) + " " + words; }
+
+  std::string text_;
+};
+
 std::string describe(const ShapeSettings& shape) {
-  return std::visit(
-      Overloaded{
-          [](const PrismSettings& s) { return std::string("prism, aspect ").append(describe(s.aspect, plain)); },
-          [](const PyramidSettings& s) {
-            return std::string("pyramid, aspect ").append(plain(s.aspect)) + ", upper " + plain(s.upper) + ", lower " +
-                   plain(s.lower) + ", slope " + inDegrees(s.slope);
-          },
-      },
-      shape);
+  PopulationKeys keys{.shape = shape};
+  ShapeWords words;
+  visitKeys(words, keys);
+  return std::string(nameOf(shape)) + words.text();
 }
 
 std::string describe(const SpectrumSettings& spectrum) {
@@ -155,7 +179,7 @@ std::string describeScene(const Scene& scene) {
     text += row("population", p.name + ": " + share + "; " + describe(p.shape) + "; " + describe(p.orientation));
   }
   text += row("camera", describe(scene.camera)) + row("trace", describe(scene.trace));
-  return text + row("recon", std::string(nameOf(methodOf(scene.recon))));
+  return text + row("recon", std::string(nameOf(scene.recon)));
 }
 
 }  // namespace parhelion

@@ -1,67 +1,86 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/distribution_kinds.h"
 
-namespace parhelion {
+#include <vector>
+
+#include "math/overloaded.h"
+
+namespace parhelion::kinds {
 
 namespace {
 
-constexpr DistributionForm kForms[] = {
-    {"normal", "mean", "sigma",
-     [](double a, double b) -> AngleDistribution {
-       return Normal{a, b};
-     }},
-    {"uniform", "from", "to",
-     [](double a, double b) -> AngleDistribution {
-       return UniformRange{a, b};
-     }},
-    {"polar-normal", "mean", "sigma",
-     [](double a, double b) -> AngleDistribution {
-       return PolarNormal{a, b};
-     }},
-    {"arcsine", "mean", "amplitude",
-     [](double a, double b) -> AngleDistribution {
-       return Arcsine{a, b};
-     }},
-    {"laplace", "mean", "scale",
-     [](double a, double b) -> AngleDistribution {
-       return Laplace{a, b};
-     }},
+/// One way to write a distribution: the key in the inline table is its name.
+template <class Variant>
+struct Form {
+  DistributionWords words;
+  Variant (*make)(double, double);
 };
-constexpr std::span<const DistributionForm> kAllForms = kForms;
-constexpr std::span<const DistributionForm> kAspectForms = kAllForms.first(2);  // normal and uniform
+
+/// The forms of all alternatives but the fixed value, which is a number alone.
+template <class Variant>
+struct Forms;
+
+template <class... Ds>
+struct Forms<std::variant<FixedValue, Ds...>> {
+  using Variant = std::variant<FixedValue, Ds...>;
+  static constexpr Form<Variant> kAll[] = {{Ds::kWords, [](double first, double second) -> Variant {
+                                              return Ds{first, second};
+                                            }}...};
+};
+
+/// What AngleValue, Spread and Aspect have in common. Numbers are those of the file; `scale` makes settings of them.
+template <class Variant>
+struct Syntax {
+  std::string_view fixed;  // what a number alone is, for messages
+  Range location;          // of a mean, a fixed value and the ends of a range
+  Range spread;            // of sigma, amplitude and so on
+  double scale = 1.0;      // radians(1) for degrees
+  bool aboutZero = false;  // the mean is left out, and a number alone is the first form's spread
+
+  bool read(const Value& in, Variant& out) const;
+  Json schema() const;
+
+ private:
+  using OneForm = Form<Variant>;
+  using Pair = std::pair<double, double>;
+  static constexpr std::span<const OneForm> kForms = Forms<Variant>::kAll;
+
+  bool readForm(const Value& in, const OneForm& form, Variant& out) const;
+  std::optional<Pair> readPair(const Value& in, const DistributionWords& words) const;
+  std::optional<Pair> readSpread(const Value& in, const DistributionWords& words) const;
+  std::string expected() const;
+};
 
 constexpr Range kSpreadDegrees{0.0, 180.0};
 constexpr Range kAspectRange{1e-4, 1e4};
-constexpr Range kPyramidAspectRange{0.0, 1e4};
+constexpr Range kFixedAspectRange{0.0, 1e4};  // of shapes that are more than a prism
 
-DistributionSyntax syntaxOf(AngleValue::Of of) {
+Syntax<AngleDistribution> syntaxOf(AngleValue::Of of) {
   const Range location = of == AngleValue::Of::zenith ? Range{0.0, 180.0} : Range{-360.0, 360.0};
-  return {kAllForms, "degrees", location, kSpreadDegrees, radians(1.0)};
+  return {"degrees", location, kSpreadDegrees, radians(1.0)};
 }
 
-DistributionSyntax spreadSyntax() { return {kAllForms, "degrees", {}, kSpreadDegrees, radians(1.0), true}; }
+Syntax<AngleDistribution> spreadSyntax() { return {"degrees", {}, kSpreadDegrees, radians(1.0), true}; }
 
-DistributionSyntax aspectSyntax() { return {kAspectForms, "length / width", kAspectRange, {0.0, 1e4}}; }
+Syntax<AspectDistribution> aspectSyntax() { return {"length / width", kAspectRange, {0.0, 1e4}}; }
 
-bool isUniform(const DistributionForm& form) { return form.name == "uniform"; }
-
-std::string pairOf(const DistributionForm& form) {
-  return std::string("[").append(form.first) + ", " + std::string(form.second) + "]";
+std::string pairOf(const DistributionWords& words) {
+  return std::string("[").append(words.first) + ", " + std::string(words.second) + "]";
 }
 
-}  // namespace
-
-std::string DistributionSyntax::expected() const {
+template <class Variant>
+std::string Syntax<Variant>::expected() const {
   std::string text = "a number " + (aboutZero ? spread : location).text() + " (" + std::string(fixed) + ") or one of";
-  for (const DistributionForm& form : forms) {
-    const std::string parameters = aboutZero ? "spread" : pairOf(form);
-    text += std::string(" { ").append(form.name) + " = " + parameters + " }";
+  for (const OneForm& form : kForms) {
+    const std::string parameters = aboutZero ? "spread" : pairOf(form.words);
+    text += std::string(" { ").append(form.words.name) + " = " + parameters + " }";
   }
   return text;
 }
 
-bool DistributionSyntax::read(const Value& in, AngleDistribution& out) const {
-  if (in.isNumber() && aboutZero) return readForm(in, forms.front(), out);
+template <class Variant>
+bool Syntax<Variant>::read(const Value& in, Variant& out) const {
+  if (in.isNumber() && aboutZero) return readForm(in, kForms.front(), out);
   if (const auto number = in.numberIn(location); number && !aboutZero) {
     out = FixedValue{*number * scale};
     return true;
@@ -72,9 +91,9 @@ bool DistributionSyntax::read(const Value& in, AngleDistribution& out) const {
   const auto entry = table->begin();
   const toml::key& key = entry->first;
   std::vector<std::string_view> names;
-  for (const DistributionForm& form : forms) {
-    if (form.name == key.str()) return readForm({entry->second, form.name, in.complaints}, form, out);
-    names.push_back(form.name);
+  for (const OneForm& form : kForms) {
+    if (form.words.name == key.str()) return readForm({entry->second, form.words.name, in.complaints}, form, out);
+    names.push_back(form.words.name);
   }
   in.complaints.add(placeOf(key.source(), in.complaints),
                     std::string("unknown distribution; '").append(in.key) + "' must be " + expected(),
@@ -82,94 +101,131 @@ bool DistributionSyntax::read(const Value& in, AngleDistribution& out) const {
   return false;
 }
 
-std::optional<DistributionSyntax::Pair> DistributionSyntax::readPair(const Value& in,
-                                                                     const DistributionForm& form) const {
+template <class Variant>
+auto Syntax<Variant>::readPair(const Value& in, const DistributionWords& words) const -> std::optional<Pair> {
   const toml::array* list = in.node.as_array();
   if (!list || list->size() != 2) {
-    in.mustBe(pairOf(form));
+    in.mustBe(pairOf(words));
     return std::nullopt;
   }
-  Number first{location}, second{isUniform(form) ? location : spread};
+  Number first{location}, second{words.isRange ? location : spread};
   Pair pair;
-  const bool firstGood = first.read({(*list)[0], form.first, in.complaints}, pair.first);
-  const bool secondGood = second.read({(*list)[1], form.second, in.complaints}, pair.second);
+  const bool firstGood = first.read({(*list)[0], words.first, in.complaints}, pair.first);
+  const bool secondGood = second.read({(*list)[1], words.second, in.complaints}, pair.second);
   if (!firstGood || !secondGood) return std::nullopt;
-  if (isUniform(form) && pair.first > pair.second) {
+  if (words.isRange && pair.first > pair.second) {
     in.reject("the range ends before it begins");
     return std::nullopt;
   }
   return pair;
 }
 
-std::optional<DistributionSyntax::Pair> DistributionSyntax::readSpread(const Value& in,
-                                                                       const DistributionForm& form) const {
+template <class Variant>
+auto Syntax<Variant>::readSpread(const Value& in, const DistributionWords& words) const -> std::optional<Pair> {
   double width = 0.0;
   if (!Number{spread}.read(in, width)) return std::nullopt;
-  return isUniform(form) ? Pair{-width, width} : Pair{0.0, width};
+  return words.isRange ? Pair{-width, width} : Pair{0.0, width};
 }
 
-bool DistributionSyntax::readForm(const Value& in, const DistributionForm& form, AngleDistribution& out) const {
-  const std::optional<Pair> pair = aboutZero ? readSpread(in, form) : readPair(in, form);
+template <class Variant>
+bool Syntax<Variant>::readForm(const Value& in, const OneForm& form, Variant& out) const {
+  const std::optional<Pair> pair = aboutZero ? readSpread(in, form.words) : readPair(in, form.words);
   if (!pair) return false;
   // A spread of nothing is a fixed value, so that no sampler ever divides by 0.
-  const bool isFixed = isUniform(form) ? pair->first == pair->second : pair->second == 0.0;
+  const bool isFixed = form.words.isRange ? pair->first == pair->second : pair->second == 0.0;
   const double first = pair->first * scale;
   out = isFixed ? FixedValue{first} : form.make(first, pair->second * scale);
   return true;
 }
 
-Json DistributionSyntax::schema() const {
+template <class Variant>
+Json Syntax<Variant>::schema() const {
   const Json pair = {{"type", "array"}, {"items", {{"type", "number"}}}, {"minItems", 2}, {"maxItems", 2}};
   Json table = {{"type", "object"}, {"additionalProperties", false}, {"minProperties", 1}, {"maxProperties", 1}};
-  for (const DistributionForm& form : forms) {
-    Json& entry = table["properties"][std::string(form.name)];
+  for (const OneForm& form : kForms) {
+    Json& entry = table["properties"][std::string(form.words.name)];
     entry = aboutZero ? numberSchema(spread) : pair;
-    if (!aboutZero) entry["description"] = pairOf(form);
+    if (!aboutZero) entry["description"] = pairOf(form.words);
   }
   return {{"anyOf", {numberSchema(aboutZero ? spread : location), table}}};
 }
 
+/// A distribution as scene files write it, its numbers by `number`.
+template <class Variant>
+Json written(const Variant& distribution, double (*number)(double)) {
+  const auto fixed = [=](const FixedValue& d) { return Json(number(d.value)); };
+  const auto spread = [=]<class D>(const D& d) -> Json {
+    const auto& [first, second] = d;
+    Json table;
+    table[std::string(D::kWords.name)] = {number(first), number(second)};
+    return table;
+  };
+  return std::visit(Overloaded{fixed, spread}, distribution);
+}
+
+bool readAspect(const Value& in, std::string_view, AspectDistribution& out) { return aspectSyntax().read(in, out); }
+
+bool readAspect(const Value& in, std::string_view shape, double& out) {
+  const auto number = in.numberIn(kFixedAspectRange);
+  if (!number)
+    return in.mustBe(std::string("a number ").append(kFixedAspectRange.text()) + " for a " + std::string(shape));
+  out = *number;
+  return true;
+}
+
+Json writtenAspect(const AspectDistribution& aspect) {
+  return written(aspect, [](double value) { return value; });
+}
+Json writtenAspect(double aspect) { return aspect; }
+
+}  // namespace
+
 bool AngleValue::read(const Value& in, AngleDistribution& out) const {
   if (!syntaxOf(of).read(in, out)) return false;
-  const auto* polar = std::get_if<PolarNormal>(&out);
-  if (of == Of::turn && polar) out = Normal{polar->mean, polar->sigma};
+  if (of == Of::turn) out = asTurn(out);
   return true;
 }
 
 Json AngleValue::schema() const { return syntaxOf(of).schema(); }
 
 Json AngleValue::write(const AngleDistribution& value) const {
-  if (const auto* fixed = std::get_if<FixedValue>(&value)) return roundToTwelveDigits(degrees(fixed->value));
-  const auto* range = std::get_if<UniformRange>(&value);
-  if (!range) return {};
-  return {{"uniform", {roundToTwelveDigits(degrees(range->from)), roundToTwelveDigits(degrees(range->to))}}};
+  return written(value, [](double angle) { return roundToTwelveDigits(degrees(angle)); });
 }
 
 bool Spread::read(const Value& in, AngleDistribution& out) const { return spreadSyntax().read(in, out); }
 
 Json Spread::schema() const { return spreadSyntax().schema(); }
 
-bool Aspect::read(const Value& in, AspectDistribution& out) const {
-  if (shape == ShapeName::pyramid) {
-    const auto number = in.numberIn(kPyramidAspectRange);
-    if (!number) return in.mustBe(std::string("a number ").append(kPyramidAspectRange.text()) + " for a pyramid");
-    out = FixedValue{*number};
-    return true;
-  }
-  AngleDistribution read;
-  if (!aspectSyntax().read(in, read)) return false;
-  if (const auto* fixed = std::get_if<FixedValue>(&read)) out = *fixed;
-  if (const auto* range = std::get_if<UniformRange>(&read)) out = *range;
-  if (const auto* normal = std::get_if<Normal>(&read)) out = *normal;
-  return true;
+bool Aspect::read(const Value& in, ShapeSettings& out) const {
+  return std::visit(
+      [&](auto& shape) {
+        if constexpr (requires { shape.aspect; }) return readAspect(in, shape.kName, shape.aspect);
+        return true;
+      },
+      out);
 }
 
 Json Aspect::schema() const {
   Json schema = aspectSyntax().schema();
-  schema["anyOf"][0] = numberSchema(kPyramidAspectRange);
+  schema["anyOf"][0] = numberSchema(kFixedAspectRange);
   return schema;
 }
 
-Json Aspect::write(const AspectDistribution& value) const { return std::get<FixedValue>(value).value; }
+Json Aspect::write(const ShapeSettings& value) const {
+  return std::visit(
+      [](const auto& shape) {
+        if constexpr (requires { shape.aspect; }) return writtenAspect(shape.aspect);
+        return Json();
+      },
+      value);
+}
 
-}  // namespace parhelion
+bool Aspect::isOf(const ShapeSettings& chosen) const {
+  return std::visit(
+      [](const auto& shape) {
+        return requires { shape.aspect; };
+      },
+      chosen);
+}
+
+}  // namespace parhelion::kinds

@@ -5,11 +5,12 @@
 #include <set>
 #include <stdexcept>
 
+#include "math/overloaded.h"
 #include "picture/image.h"
 #include "scene/parse_scene.h"
 #include "scene/utf8.h"
 
-namespace parhelion {
+namespace parhelion::kinds {
 
 namespace {
 
@@ -57,7 +58,7 @@ bool readWavelengths(const Value& in, const toml::array& list, SpectrumSettings&
 
 }  // namespace
 
-std::string listNames(const std::vector<std::string_view>& names) {
+std::string listNames(std::span<const std::string_view> names) {
   std::string list;
   for (const std::string_view name : names) list += (list.empty() ? "\"" : ", \"") + std::string(name) + '"';
   return list;
@@ -149,7 +150,7 @@ Json Resolution::schema() const {
 }
 
 bool Spectrum::read(const Value& in, SpectrumSettings& out) const {
-  if (const auto source = enumeratorNamed<ContinuousSpectrum::Source>(in.string())) {
+  if (const auto source = memberNamedBy<ContinuousSpectrum::Source>(in)) {
     out = ContinuousSpectrum{*source};
     return true;
   }
@@ -159,7 +160,7 @@ bool Spectrum::read(const Value& in, SpectrumSettings& out) const {
   }
   const toml::array* list = in.node.as_array();
   if (list && !list->empty()) return readWavelengths(in, *list, out);
-  const auto names = acceptedNames<ContinuousSpectrum::Source>();
+  const auto& names = kNamesOf<ContinuousSpectrum::Source>;
   return in.mustBe(std::string("one of ").append(listNames(names)) + ", a wavelength " + kVisibleNanometres.text() +
                        " nm, or a list of wavelengths",
                    didYouMean(in.string().value_or(""), names));
@@ -172,9 +173,12 @@ Json Spectrum::schema() const {
 }
 
 Json Spectrum::write(const SpectrumSettings& value) const {
-  if (const auto* line = std::get_if<MonochromaticSpectrum>(&value)) return line->wavelength;
-  if (const auto* lines = std::get_if<LineSpectrum>(&value)) return lines->wavelengths;
-  return nameOf(std::get<ContinuousSpectrum>(value).source);
+  return std::visit(Overloaded{
+                        [](const ContinuousSpectrum& s) { return Json(nameOf(s.source)); },
+                        [](const MonochromaticSpectrum& s) { return Json(s.wavelength); },
+                        [](const LineSpectrum& s) { return Json(s.wavelengths); },
+                    },
+                    value);
 }
 
 bool IceIndex::read(const Value& in, IceSettings& out) const {
@@ -197,9 +201,12 @@ Json IceIndex::schema() const {
 }
 
 Json IceIndex::write(const IceSettings& value) const {
-  if (const auto* ice = std::get_if<ConstantIce>(&value)) return ice->index;
-  if (const auto* mixture = std::get_if<IceMixture>(&value)) return mixture->indices;
-  return kWarrenBrandt;
+  return std::visit(Overloaded{
+                        [](const TabulatedIce&) { return Json(kWarrenBrandt); },
+                        [](const ConstantIce& ice) { return Json(ice.index); },
+                        [](const IceMixture& ice) { return Json(ice.indices); },
+                    },
+                    value);
 }
 
-}  // namespace parhelion
+}  // namespace parhelion::kinds

@@ -10,14 +10,15 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
-#include <vector>
+#include <utility>
 
 #include "scene/names.h"
 #include "scene/suggest.h"
 #include "scene/value.h"
 
-namespace parhelion {
+namespace parhelion::kinds {
 
 struct Flag {
   bool read(const Value& in, bool& out) const;
@@ -96,39 +97,29 @@ struct IceIndex {
   Json write(const IceSettings& value) const;
 };
 
-/// The names of an enumeration.
-template <class E>
-std::vector<std::string_view> acceptedNames() {
-  std::vector<std::string_view> names;
-  for (const auto& named : namesOf(E{})) names.push_back(named.name);
-  return names;
-}
-
 /// The names in quotation marks, with commas.
-std::string listNames(const std::vector<std::string_view>& names);
+std::string listNames(std::span<const std::string_view> names);
 
-/// The enumerator of this name, if it is one.
-template <class E>
-std::optional<E> enumeratorNamed(const std::optional<std::string>& name) {
-  for (const auto& named : namesOf(E{})) {
-    if (name && named.name == *name) return named.value;
-  }
-  return std::nullopt;
+/// The member of a family (math/names.h) that a value names, if it is a name of one.
+template <class Family>
+std::optional<Family> memberNamedBy(const Value& in) {
+  const auto name = in.string();
+  return name ? memberNamed<Family>(*name) : std::nullopt;
 }
 
-/// One of the names of an enumeration.
-template <class E>
+/// One of the names of a family: an enumerator, or an alternative with the defaults of its settings.
+template <class Family>
 struct Choice {
-  bool read(const Value& in, E& out) const {
-    if (const auto chosen = enumeratorNamed<E>(in.string())) {
-      out = *chosen;
+  bool read(const Value& in, Family& out) const {
+    if (auto chosen = memberNamedBy<Family>(in)) {
+      out = *std::move(chosen);
       return true;
     }
-    const auto names = acceptedNames<E>();
+    const auto& names = kNamesOf<Family>;
     return in.mustBe(std::string("one of ").append(listNames(names)), didYouMean(in.string().value_or(""), names));
   }
-  Json schema() const { return {{"enum", acceptedNames<E>()}}; }
-  Json write(E value) const { return nameOf(value); }
+  Json schema() const { return {{"enum", kNamesOf<Family>}}; }
+  Json write(const Family& value) const { return nameOf(value); }
 };
 
 /// A value that may be left out without a default of its own.
@@ -153,4 +144,4 @@ struct Optional {
 template <class Kind>
 Optional(Kind) -> Optional<Kind>;
 
-}  // namespace parhelion
+}  // namespace parhelion::kinds

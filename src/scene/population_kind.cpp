@@ -1,48 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <set>
 #include <string>
-#include <type_traits>
 
+#include "math/overloaded.h"
 #include "scene/scene_keys.h"
 
 namespace parhelion {
 
 namespace {
 
-/// A spread about 0 moved to `mean` (rad). About the vertical, a uniform tilt is one-sided: a zenith angle is positive.
-AngleDistribution movedTo(double mean, AngleDistribution spread) {
-  std::visit(
-      [mean](auto& d) {
-        using D = std::decay_t<decltype(d)>;
-        if constexpr (std::is_same_v<D, FixedValue>) {
-          d.value += mean;
-        } else if constexpr (std::is_same_v<D, UniformRange>) {
-          d = mean == 0.0 ? UniformRange{0.0, d.to} : UniformRange{mean + d.from, mean + d.to};
-        } else {
-          d.mean += mean;
-        }
-      },
-      spread);
-  return spread;
-}
-
-/// A roll does not know solid angles: the two normal distributions are one.
-AngleDistribution asTurn(const AngleDistribution& spread) {
-  const auto* polar = std::get_if<PolarNormal>(&spread);
-  return polar ? AngleDistribution(Normal{polar->mean, polar->sigma}) : spread;
-}
-
 OrientationSettings orientationOf(const PopulationKeys& keys) {
   if (const auto* axis = std::get_if<AxisOrientation>(&keys.orientation)) return *axis;
   const AngleDistribution tilt = keys.tilt.value_or(FixedValue{});
   const AngleDistribution free = AxisOrientation{}.roll;
   const AngleDistribution roll = keys.roll ? asTurn(*keys.roll) : free;
-  const AngleDistribution horizontal = movedTo(0.5 * kPi, tilt);
+  const AngleDistribution horizontal = shifted(tilt, 0.5 * kPi);
   switch (std::get<OrientationName>(keys.orientation)) {
     case OrientationName::random:
       return RandomOrientation{};
     case OrientationName::plate:
-      return AxisOrientation{movedTo(0.0, tilt), free, roll};
+      return AxisOrientation{fromPole(tilt), free, roll};
     case OrientationName::column:
       return AxisOrientation{horizontal, free, roll};
     case OrientationName::parry:
@@ -53,24 +31,27 @@ OrientationSettings orientationOf(const PopulationKeys& keys) {
   return RandomOrientation{};
 }
 
-ShapeSettings shapeOf(const PopulationKeys& keys) {
-  if (keys.shape == ShapeName::prism) return PrismSettings{keys.aspect};
-  PyramidSettings pyramid = keys.pyramid;
-  if (const auto* aspect = std::get_if<FixedValue>(&keys.aspect)) pyramid.aspect = aspect->value;
-  return pyramid;
+/// "a", "b" or "c" of the shapes that have a key.
+std::string shapesWith(std::string_view key) {
+  std::string list;
+  for (std::size_t i = 0; i < Family<ShapeSettings>::size(); ++i) {
+    const auto own = keysOfChosen(PopulationKeys{.shape = Family<ShapeSettings>::member(i)}).own;
+    if (std::find(own.begin(), own.end(), key) == own.end()) continue;
+    list += (list.empty() ? "\"" : " or \"") + std::string(kNamesOf<ShapeSettings>[i]) + '"';
+  }
+  return list;
 }
 
 void checkShape(TableReader& reader, const PopulationKeys& keys) {
   if (reader.rejected("shape")) return;
-  for (const std::string_view key : {"upper", "lower", "slope"}) {
-    if (keys.shape == ShapeName::pyramid || !reader.has(key)) continue;
-    reader.reject(key, std::string("a prism has no '").append(key) + "'", "it needs shape = \"pyramid\"");
+  for (const std::string_view key : keysOfChosen(keys).others) {
+    if (!reader.has(key)) continue;
+    reader.reject(key, "a " + std::string(nameOf(keys.shape)) + " has no '" + std::string(key) + "'",
+                  "it needs shape = " + shapesWith(key));
   }
-  const auto* aspect = std::get_if<FixedValue>(&keys.aspect);
-  const bool isFlat = aspect && aspect->value == 0.0 && keys.pyramid.upper == 0.0 && keys.pyramid.lower == 0.0;
-  if (isFlat && keys.shape == ShapeName::pyramid) {
+  const auto* pyramid = std::get_if<PyramidSettings>(&keys.shape);
+  if (pyramid && pyramid->aspect == 0.0 && pyramid->upper == 0.0 && pyramid->lower == 0.0)
     reader.reject("aspect", "a crystal without a prism part and without pyramids is flat");
-  }
 }
 
 void checkOrientation(TableReader& reader, const PopulationKeys& keys) {
@@ -96,12 +77,12 @@ PopulationSettings readPopulation(TableReader& reader, std::size_t index) {
   checkShape(reader, keys);
   checkOrientation(reader, keys);
   const std::string name = keys.name.value_or(std::string("population ").append(std::to_string(index + 1)));
-  return {name, keys.weight, shapeOf(keys), orientationOf(keys)};
+  return {name, keys.weight, keys.shape, orientationOf(keys)};
 }
 
 }  // namespace
 
-bool Populations::read(const Value& in, std::vector<PopulationSettings>& out) const {
+bool kinds::Populations::read(const Value& in, std::vector<PopulationSettings>& out) const {
   const toml::array* list = in.node.as_array();
   if (!list) return in.mustBe("a list of tables", "begin each population with [[population]], in double brackets");
   if (list->empty()) return in.reject("a scene needs at least one population");
@@ -122,11 +103,11 @@ bool Populations::read(const Value& in, std::vector<PopulationSettings>& out) co
   return true;
 }
 
-Json Populations::schema() const {
+Json kinds::Populations::schema() const {
   return {{"type", "array"}, {"minItems", 1}, {"items", tableSchema<PopulationKeys>()}};
 }
 
-bool Orientation::read(const Value& in, OrientationWords& out) const {
+bool kinds::Orientation::read(const Value& in, OrientationWords& out) const {
   if (const toml::table* table = in.node.as_table()) {
     TableReader reader(*table, "the orientation", in.complaints);
     AxisKeys keys;
@@ -136,24 +117,27 @@ bool Orientation::read(const Value& in, OrientationWords& out) const {
     out = AxisOrientation{keys.zenith.value_or(FixedValue{}), keys.azimuth, keys.roll};
     return true;
   }
-  if (const auto name = enumeratorNamed<OrientationName>(in.string())) {
+  if (const auto name = memberNamedBy<OrientationName>(in)) {
     out = *name;
     return true;
   }
-  const auto names = acceptedNames<OrientationName>();
+  const auto& names = kNamesOf<OrientationName>;
   return in.mustBe(std::string("one of ").append(listNames(names)) + " or { zenith = …, azimuth = …, roll = … }",
                    didYouMean(in.string().value_or(""), names));
 }
 
-Json Orientation::schema() const {
+Json kinds::Orientation::schema() const {
   Json table = tableSchema<AxisKeys>();
   table["required"] = {"zenith"};
-  return {{"anyOf", {Choice<OrientationName>{}.schema(), table}}};
+  return {{"anyOf", {kinds::Choice<OrientationName>{}.schema(), table}}};
 }
 
-Json Orientation::write(const OrientationWords& value) const {
-  const auto* name = std::get_if<OrientationName>(&value);
-  return name ? Json(nameOf(*name)) : Json();
+Json kinds::Orientation::write(const OrientationWords& value) const {
+  return std::visit(Overloaded{
+                        [](OrientationName name) { return Json(nameOf(name)); },
+                        [](const AxisOrientation&) { return Json(); },
+                    },
+                    value);
 }
 
 }  // namespace parhelion

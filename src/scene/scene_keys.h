@@ -12,67 +12,68 @@
 #include "scene/camera_kinds.h"
 #include "scene/distribution_kinds.h"
 #include "scene/kinds.h"
+#include "scene/member_kinds.h"
 #include "scene/table_kinds.h"
 
 namespace parhelion {
 
 template <class Visitor>
 void visitKeys(Visitor& v, SunSettings& sun) {
-  v.key("elevation", Angle{{-90, 90}}, sun.elevation, "Elevation of the sun above the horizon, degrees.");
-  v.key("diameter", Angle{{0, 10}}, sun.diameter, "Diameter of the sun's disc, degrees; 0 is a point sun.");
+  v.key("elevation", kinds::Angle{{-90, 90}}, sun.elevation, "Elevation of the sun above the horizon, degrees.");
+  v.key("diameter", kinds::Angle{{0, 10}}, sun.diameter, "Diameter of the sun's disc, degrees; 0 is a point sun.");
   v.key(
-      "spectrum", Spectrum{}, sun.spectrum,
+      "spectrum", kinds::Spectrum{}, sun.spectrum,
       "Sunlight: \"sun\" (extraterrestrial), \"sun-am1.5\" (through 1.5 atmospheres), \"equal\" energy, one wavelength "
       "in nm (luminance only), or a list of wavelengths of equal energy.");
-  v.key("visible", Flag{}, sun.visible, "Draw the undeviated light, with its disc, into the image.");
+  v.key("visible", kinds::Flag{}, sun.visible, "Draw the undeviated light, with its disc, into the image.");
 }
 
 template <class Visitor>
 void visitKeys(Visitor& v, IceSettings& ice) {
   v.key(
-      "index", IceIndex{}, ice,
+      "index", kinds::IceIndex{}, ice,
       "Refractive index of ice: \"warren-brandt\" (table of 2008) or a number, the same at every wavelength; of a list "
       "of numbers rays take each in turn.");
 }
 
 /// A [[population]] as its keys say it; population_kind.cpp makes PopulationSettings of it.
 struct PopulationKeys {
-  std::optional<std::string> name;
+  std::optional<std::string> name = std::nullopt;
   double weight = PopulationSettings{}.weight;
-  ShapeName shape = ShapeName::prism;
-  AspectDistribution aspect = PrismSettings{}.aspect;
-  PyramidSettings pyramid;  // all but its aspect
+  ShapeSettings shape = PopulationSettings{}.shape;
   OrientationWords orientation = OrientationName::random;
-  std::optional<AngleDistribution> tilt;  // about 0
-  std::optional<AngleDistribution> roll;  // about 0
+  std::optional<AngleDistribution> tilt = std::nullopt;  // about 0
+  std::optional<AngleDistribution> roll = std::nullopt;  // about 0
 };
 
 template <class Visitor>
 void visitKeys(Visitor& v, PopulationKeys& p) {
-  v.key("name", Optional{Text{}}, p.name, "Name, unique; \"population 1\" and so on when left out.");
-  v.key("weight", Number{{0, 1e9}}, p.weight,
+  v.key("name", kinds::Optional{kinds::Text{}}, p.name, "Name, unique; \"population 1\" and so on when left out.");
+  v.key("weight", kinds::Number{{0, 1e9}}, p.weight,
         "Share of all crystal surface in the cloud; the shares need not add up to 1.");
-  v.key("shape", Choice<ShapeName>{}, p.shape,
+  v.key("shape", kinds::Choice<ShapeSettings>{}, p.shape,
         "\"prism\": hexagonal prism, a plate or a column by its aspect; \"pyramid\": with pyramids on its ends.");
   v.key(
-      "aspect", Aspect{p.shape}, p.aspect,
+      "aspect", kinds::Aspect{}, p.shape,
       "Length along the c axis over the distance between opposite vertices of the hexagon (of a pyramid: of its prism "
       "part); prisms also { normal = [mean, sigma] } or { uniform = [from, to] }.");
-  v.key("upper", Number{{0, 1}}, p.pyramid.upper, "Pyramids: height of the upper one as a share of its full height.");
-  v.key("lower", Number{{0, 1}}, p.pyramid.lower, "Pyramids: height of the lower one as a share of its full height.");
-  v.key("slope", Angle{{0, 90, true, true}}, p.pyramid.slope,
+  v.key("upper", kinds::MemberOf(kinds::Number{{0, 1}}, &PyramidSettings::upper), p.shape,
+        "Pyramids: height of the upper one as a share of its full height.");
+  v.key("lower", kinds::MemberOf(kinds::Number{{0, 1}}, &PyramidSettings::lower), p.shape,
+        "Pyramids: height of the lower one as a share of its full height.");
+  v.key("slope", kinds::MemberOf(kinds::Angle{{0, 90, true, true}}, &PyramidSettings::slope), p.shape,
         "Pyramids: angle between their faces and the c axis, degrees.");
   v.key(
-      "orientation", Orientation{}, p.orientation,
+      "orientation", kinds::Orientation{}, p.orientation,
       "\"random\", \"plate\" (c axis vertical), \"column\" (horizontal), \"parry\" (horizontal, two prism faces too), "
       "\"lowitz\" (an axis through opposite prism edges horizontal), or zenith angle and azimuth of the c axis and "
       "roll about it.");
   v.key(
-      "tilt", Optional{Spread{}}, p.tilt,
+      "tilt", kinds::Optional{kinds::Spread{}}, p.tilt,
       "Spread of the axis about its rest, degrees: a number is the sigma of a normal density per solid angle. Exactly "
       "at rest when left out.");
   v.key(
-      "roll", Optional{Spread{}}, p.roll,
+      "roll", kinds::Optional{kinds::Spread{}}, p.roll,
       "Spread of the rotation about the c axis (lowitz: about its horizontal axis), degrees. Left out: none for parry, "
       "free for the others.");
 }
@@ -86,74 +87,76 @@ struct AxisKeys {
 
 template <class Visitor>
 void visitKeys(Visitor& v, AxisKeys& axis) {
-  v.key("zenith", Optional{AngleValue{AngleValue::Of::zenith}}, axis.zenith, "Zenith angle of the c axis, degrees.");
-  v.key("azimuth", AngleValue{AngleValue::Of::turn}, axis.azimuth, "Azimuth of the c axis from the sun, degrees.");
-  v.key("roll", AngleValue{AngleValue::Of::turn}, axis.roll, "Rotation about the c axis, degrees.");
+  v.key("zenith", kinds::Optional{kinds::AngleValue{kinds::AngleValue::Of::zenith}}, axis.zenith,
+        "Zenith angle of the c axis, degrees.");
+  v.key("azimuth", kinds::AngleValue{kinds::AngleValue::Of::turn}, axis.azimuth,
+        "Azimuth of the c axis from the sun, degrees.");
+  v.key("roll", kinds::AngleValue{kinds::AngleValue::Of::turn}, axis.roll, "Rotation about the c axis, degrees.");
 }
 
 template <class Visitor>
 void visitKeys(Visitor& v, TraceSettings& trace) {
-  v.key("rays", RayCount{}, trace.rays, "Incident rays, all wavelengths together: 100000, \"10M\", \"1.5k\".");
-  v.key("seed", Seed{}, trace.seed, "Seed of the random numbers; the same seed gives the same image, bit by bit.");
-  v.key("engine", Choice<Engine>{}, trace.engine, "What finds the next face of a crystal.");
-  v.key("path", Choice<PathMode>{}, trace.path,
+  v.key("rays", kinds::RayCount{}, trace.rays, "Incident rays, all wavelengths together: 100000, \"10M\", \"1.5k\".");
+  v.key("seed", kinds::Seed{}, trace.seed,
+        "Seed of the random numbers; the same seed gives the same image, bit by bit.");
+  v.key("engine", kinds::Choice<Engine>{}, trace.engine, "What finds the next face of a crystal.");
+  v.key("path", kinds::Choice<PathMode>{}, trace.path,
         "At a face: deposit what leaves and follow the rest (\"split\"), or follow one branch picked by chance.");
-  v.key("sampler", Choice<Sampler>{}, trace.sampler,
+  v.key("sampler", kinds::Choice<Sampler>{}, trace.sampler,
         "Where the numbers come from that rays are drawn from: independent ones, or scrambled Sobol' points.");
-  v.key("symmetry", Choice<Symmetry>{}, trace.symmetry,
+  v.key("symmetry", kinds::Choice<Symmetry>{}, trace.symmetry,
         "Symmetry of the sky to make use of: rays count as their mirror images, too (\"mirror\"), or for whole rings "
         "about the sun (\"radial\"); \"auto\" takes the most that the populations allow.");
 }
 
-/// [recon] as its keys say it; recon_kind.cpp makes ReconSettings of it.
-struct ReconKeys {
-  ReconMethod method = ReconMethod::adaptive;
-  std::optional<double> sigma, period, relaxation, samples, lobes;
-  std::optional<int> scales, iterations;
-  std::optional<HitReading> reading;
-  std::optional<KernelGain> gain;
-  std::optional<KernelFlow> flow;
-};
-
 template <class Visitor>
-void visitKeys(Visitor& v, ReconKeys& r) {
+void visitKeys(Visitor& v, ReconSettings& r) {
   constexpr Range kPixels{0, 1e4, true};
   v.key(
-      "method", Choice<ReconMethod>{}, r.method,
+      "method", kinds::Choice<ReconSettings>{}, r,
       "How scattered hits become an image: \"adaptive\" filters, \"none\" (the plain radiance), or one of the methods "
       "of the literature; the other keys are settings of those.");
-  v.key("sigma", Optional{Number{kPixels}}, r.sigma,
+  v.key("sigma", kinds::MemberOf(kinds::Optional{kinds::Number{kPixels}}, &GaussianSettings::sigma), r,
         "gaussian: standard deviation of the filter, pixels. Left out: by the number of hits.");
-  v.key("scales", Optional{WholeNumber{1, 12}}, r.scales,
+  v.key("scales", kinds::MemberOf(kinds::WithoutDefault{kinds::WholeNumber{1, 12}}, &GlassnerSettings::scales), r,
         "glassner: how many Gaussians of standard deviation 1, 2, 4, ... pixels are averaged; 6 when left out.");
-  v.key("period", Optional{Number{kPixels}}, r.period,
-        "marvasti, voronoi, act: Ts, pixels; frequencies up to 1/(2 Ts) pass. Left out: by the number of hits.");
-  v.key("reading", Optional{Choice<HitReading>{}}, r.reading,
+  v.key("period",
+        kinds::MemberOf(kinds::Optional{kinds::Number{kPixels}}, &MarvastiSettings::period, &VoronoiSettings::period,
+                        &ActSettings::period),
+        r, "marvasti, voronoi, act: Ts, pixels; frequencies up to 1/(2 Ts) pass. Left out: by the number of hits.");
+  v.key("reading",
+        kinds::MemberOf(kinds::WithoutDefault{kinds::Choice<HitReading>{}}, &VoronoiSettings::reading,
+                        &ActSettings::reading),
+        r,
         "voronoi, act: whether hits are values of the picture (\"intensities\") or count by the area around them "
         "(\"densities\", when left out).");
-  v.key("samples", Optional{Number{{0, 1e12, true}}}, r.samples,
-        "gonzato-marchand: m, hits that a square grows to hold. Left out: by the number of hits.");
-  v.key("lobes", Optional{Number{{1, 16}}}, r.lobes,
-        "gonzato-marchand: k, zeros of the sinc inside a kernel; 1 when left out, above which steps ring.");
-  v.key("gain", Optional{Choice<KernelGain>{}}, r.gain,
-        "gonzato-marchand: steps that add up to 1 (\"unit\", when left out) or are used as published (\"paper\").");
-  v.key("flow", Optional{Choice<KernelFlow>{}}, r.flow,
-        "gonzato-marchand: steps sized where light comes from (\"scatter\", when left out) or goes to (\"gather\").");
-  v.key("iterations", Optional{WholeNumber{0, 1000}}, r.iterations,
+  v.key("samples", kinds::MemberOf(kinds::Optional{kinds::Number{{0, 1e12, true}}}, &GonzatoMarchandSettings::samples),
+        r, "gonzato-marchand: m, hits that a square grows to hold. Left out: by the number of hits.");
+  v.key("lobes", kinds::MemberOf(kinds::WithoutDefault{kinds::Number{{1, 16}}}, &GonzatoMarchandSettings::lobes), r,
+        "gonzato-marchand: k, zeros of the sinc inside a kernel; 1 when left out, above which kernels ring.");
+  v.key("gain", kinds::MemberOf(kinds::WithoutDefault{kinds::Choice<KernelGain>{}}, &GonzatoMarchandSettings::gain), r,
+        "gonzato-marchand: kernels that add up to 1 (\"unit\", when left out) or are used as published (\"paper\").");
+  v.key("flow", kinds::MemberOf(kinds::WithoutDefault{kinds::Choice<KernelFlow>{}}, &GonzatoMarchandSettings::flow), r,
+        "gonzato-marchand: kernels sized where light comes from (\"scatter\", when left out) or goes to (\"gather\").");
+  v.key("iterations",
+        kinds::MemberOf(kinds::WithoutDefault{kinds::WholeNumber{0, 1000}}, &MarvastiSettings::iterations,
+                        &VoronoiSettings::iterations, &ActSettings::iterations, &GonzatoMarchandSettings::iterations),
+        r,
         "marvasti, voronoi, act, gonzato-marchand: corrections after the first filter; 3 for act and 0 for the others "
         "when left out. They end early where the residual grows.");
-  v.key("relaxation", Optional{Number{{0, 1000, true}}}, r.relaxation,
+  v.key("relaxation",
+        kinds::MemberOf(kinds::WithoutDefault{kinds::Number{{0, 1000, true}}}, &MarvastiSettings::relaxation), r,
         "marvasti: factor of the first picture and of each correction; 1 when left out.");
 }
 
 template <class Visitor>
 void visitKeys(Visitor& v, Scene& scene) {
-  v.key("sun", Table<SunSettings>{"[sun]"}, scene.sun, "The source of light.");
-  v.key("ice", Table<IceSettings>{"[ice]"}, scene.ice, "What the crystals are made of.");
-  v.key("population", Populations{}, scene.populations, "The crystals: at least one population.");
-  v.key("camera", CameraTable{}, scene.camera, "Where the image looks.");
-  v.key("trace", Table<TraceSettings>{"[trace]"}, scene.trace, "How light is followed.");
-  v.key("recon", Recon{}, scene.recon, "How the image is made of the hits.");
+  v.key("sun", kinds::Table<SunSettings>{"[sun]"}, scene.sun, "The source of light.");
+  v.key("ice", kinds::Table<IceSettings>{"[ice]"}, scene.ice, "What the crystals are made of.");
+  v.key("population", kinds::Populations{}, scene.populations, "The crystals: at least one population.");
+  v.key("camera", kinds::CameraTable{}, scene.camera, "Where the image looks.");
+  v.key("trace", kinds::Table<TraceSettings>{"[trace]"}, scene.trace, "How light is followed.");
+  v.key("recon", kinds::Recon{}, scene.recon, "How the image is made of the hits.");
 }
 
 }  // namespace parhelion

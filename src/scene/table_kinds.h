@@ -14,6 +14,14 @@
 
 namespace parhelion {
 
+/// The defaults of a camera with this projection.
+CameraSettings defaultCamera(Projection projection);
+
+/// An orientation as scene files have it.
+using OrientationWords = std::variant<OrientationName, AxisOrientation>;
+
+namespace kinds {
+
 /// A table whose keys fill the members of T one by one, by visitKeys(visitor, T&).
 template <class T>
 struct Table {
@@ -38,9 +46,6 @@ struct CameraTable {
   Json write(const CameraSettings&) const { return {}; }
 };
 
-/// The defaults of a camera with this projection.
-CameraSettings defaultCamera(Projection projection);
-
 /// [recon]; keys of other methods than the chosen one are refused.
 struct Recon {
   bool read(const Value& in, ReconSettings& out) const;
@@ -56,12 +61,12 @@ struct Populations {
 };
 
 /// A name, or the inline table in full.
-using OrientationWords = std::variant<OrientationName, AxisOrientation>;
-
 struct Orientation {
   bool read(const Value& in, OrientationWords& out) const;
   Json schema() const;
   Json write(const OrientationWords& value) const;
 };
+
+}  // namespace kinds
 
 }  // namespace parhelion

@@ -5,19 +5,6 @@
 
 namespace parhelion {
 
-std::span<const Projection> allProjections() { return kProjections; }
-
-std::string_view name(Projection projection) {
-  return visitProjection(projection, [](auto p) { return p.name; });
-}
-
-std::optional<Projection> projectionNamed(std::string_view word) {
-  for (const Projection projection : kProjections) {
-    if (name(projection) == word) return projection;
-  }
-  return std::nullopt;
-}
-
 bool isFisheye(Projection projection) {
   return visitProjection(projection, [](auto p) { return p.isFisheye; });
 }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <optional>
-#include <span>
 #include <string_view>
 
 namespace parhelion {
@@ -18,14 +16,24 @@ enum class Projection {
   equirectangular,       // x = longitude, y = latitude of the camera's frame
 };
 
-/// All of them, in the enumeration's order.
-std::span<const Projection> allProjections();
-
-/// The projection's name as scene files and image attributes spell it, "fisheye-equal-area" for one.
-std::string_view name(Projection projection);
-
-/// The projection of that name, if it is one.
-std::optional<Projection> projectionNamed(std::string_view word);
+/// The word for it in scene files and image attributes.
+constexpr std::string_view nameOf(Projection projection) {
+  switch (projection) {
+    case Projection::rectilinear:
+      return "rectilinear";
+    case Projection::fisheyeEqualArea:
+      return "fisheye-equal-area";
+    case Projection::fisheyeEquidistant:
+      return "fisheye-equidistant";
+    case Projection::fisheyeStereographic:
+      return "fisheye-stereographic";
+    case Projection::fisheyeOrthographic:
+      return "fisheye-orthographic";
+    case Projection::equirectangular:
+      return "equirectangular";
+  }
+  return {};
+}
 
 /// Whether the projection has an image circle.
 bool isFisheye(Projection projection);

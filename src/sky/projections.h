@@ -6,7 +6,6 @@
 // directions are unit vectors of the camera's frame: x to its right, y up, z along the optical axis.
 //
 // Each struct has
-//   name                  as scene files and image attributes spell it
 //   isFisheye             whether it has an image circle
 //   isAzimuthal           whether the picture is alike all around the optical axis; only then may a lens distort it
 //   fieldOfView           degrees that a picture can show along its width or diagonal
@@ -28,7 +27,6 @@
 //   direction(p)          its inverse; none where the picture shows no sky
 //   rectangle(lo, hi)     solid angle (sr) of the part of the sky that a rectangle shows
 
-#include <array>
 #include <cassert>
 
 #include "sky/projection.h"
@@ -41,10 +39,9 @@
 
 namespace parhelion {
 
-/// What `visit` returns for the facts of the projection; what `otherwise` returns for a number that is no projection.
-template <class Visitor, class Otherwise>
-PARHELION_INLINE constexpr auto visitProjection(Projection projection, const Visitor& visit,
-                                                const Otherwise& otherwise) {
+/// What `visit` returns for the facts of the projection.
+template <class Visitor>
+PARHELION_INLINE constexpr auto visitProjection(Projection projection, const Visitor& visit) {
   switch (projection) {  // without default: the compiler asks for a case that is missing
     case Projection::rectilinear:
       return visit(projections::Rectilinear{});
@@ -59,34 +56,8 @@ PARHELION_INLINE constexpr auto visitProjection(Projection projection, const Vis
     case Projection::equirectangular:
       return visit(projections::Equirectangular{});
   }
-  return otherwise();
+  assert(false);
+  __builtin_unreachable();
 }
-
-/// What `visit` returns for the facts of the projection.
-template <class Visitor>
-PARHELION_INLINE constexpr auto visitProjection(Projection projection, const Visitor& visit) {
-  using Result = decltype(visit(projections::Rectilinear{}));
-  return visitProjection(
-      projection, visit, []() __attribute__((always_inline))->Result {
-        assert(false);
-        __builtin_unreachable();
-      });
-}
-
-/// The enumerators count from 0, so the first number that has no facts is how many there are.
-constexpr std::size_t countProjections() {
-  int count = 0;
-  while (visitProjection(
-      static_cast<Projection>(count), [](auto) { return true; }, [] { return false; }))
-    ++count;
-  return static_cast<std::size_t>(count);
-}
-
-/// All projections, in the enumeration's order.
-inline constexpr auto kProjections = [] {
-  std::array<Projection, countProjections()> all{};
-  for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<Projection>(i);
-  return all;
-}();
 
 }  // namespace parhelion

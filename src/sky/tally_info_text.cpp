@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "math/names.h"
 #include "sky/camera_keys.h"
 
 namespace parhelion {
@@ -86,7 +87,7 @@ class CameraToText {
  public:
   CameraToText(const CameraSettings& camera, ExrAttributes& plain) : camera_(camera), plain_(plain) {}
 
-  void projection(const CameraKey& key) { put(key.attribute, std::string(name(camera_.projection))); }
+  void projection(const CameraKey& key) { put(key.attribute, std::string(nameOf(camera_.projection))); }
   void number(const CameraKey& key, auto /*unit*/, double CameraSettings::*member) {
     put(key.attribute, text(camera_.*member));
   }
@@ -114,7 +115,7 @@ class CameraFromText {
 
   void projection(const CameraKey& key) {
     const std::string attribute = cameraAttribute(key.attribute);
-    const auto named = projectionNamed(value(attributes_, attribute));
+    const auto named = memberNamed<Projection>(value(attributes_, attribute));
     if (!named) bad(attribute);
     camera_.projection = *named;
   }

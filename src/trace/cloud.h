@@ -40,7 +40,7 @@ class Cloud {
   double iceIndex(double wavelength, std::uint64_t bundle) const { return refractiveIndex(ice_, wavelength, bundle); }
 
   /// Whether the light and the ice of a member are the same in all bundles.
-  bool hasFixedLight() const { return !spectrum_.lines().empty() && !std::holds_alternative<IceMixture>(ice_); }
+  bool hasFixedLight() const { return !spectrum_.lines().empty() && !differsByBundle(ice_); }
 
   const Sun& sun() const { return sun_; }
   const Spectrum& spectrum() const { return spectrum_; }

@@ -88,6 +88,24 @@ bool addFace(RTCDevice device, RTCScene scene, const CrystalMesh& mesh, int face
   return true;
 }
 
+Vec3 at(const RayPool::Numbers* rows, int place) { return {rows[0][place], rows[1][place], rows[2][place]}; }
+
+/// Asks the planes where there is no next face; returns how many they found.
+int rescueRays(const CrystalMesh& mesh, RayPool& pool) {
+  int rescued = 0;
+  for (int i = 0; i < pool.active; ++i) {
+    if (pool.nextFace[i] != kNoFace) continue;
+    const auto hit = nextFaceByPlanes({&mesh, pool.stretch[i]}, at(pool.point, i), at(pool.lightDir, i),
+                                      static_cast<int>(pool.face[i]));
+    if (!hit) continue;
+    pool.nextFace[i] = hit->face;
+    pool.distance[i] = hit->distance;
+    pool.cosine[i] = hit->cosine;
+    ++rescued;
+  }
+  return rescued;
+}
+
 }  // namespace
 
 EmbreeIntersector::EmbreeIntersector(const EmbreeDevice& device, const CrystalMesh& mesh, EmbreeMode mode)
@@ -102,6 +120,12 @@ EmbreeIntersector::EmbreeIntersector(const EmbreeDevice& device, const CrystalMe
   device_->check("loading a crystal");
   rtcCommitScene(scene_.get());
   device_->check("building a crystal");
+}
+
+int EmbreeIntersector::findFaces(const MeshTables& tables, const LaneSteps& steps, RayPool& pool) const {
+  nameFaces(pool);
+  steps.measureFaces(tables.faces, pool);
+  return rescueRays(tables.mesh, pool);
 }
 
 void EmbreeIntersector::nameFaces(RayPool& pool) const {

@@ -7,6 +7,7 @@
 
 #include "crystal/crystal.h"
 #include "trace/intersector.h"
+#include "trace/lane_steps.h"
 #include "trace/ray_pool.h"
 
 struct RTCSceneTy;
@@ -41,6 +42,9 @@ class EmbreeIntersector {
   /// mesh at any stretch. Embree says which face; the distance comes from the face's plane in double precision. Where
   /// Embree finds none, the planes decide; empty only when they cannot either.
   std::optional<FaceHit> nextFace(const Crystal& crystal, const Vec3& point, const Vec3& lightDir, int leftFace) const;
+
+  /// The same for all rays of a pool; returns for how many of them the planes decided.
+  int findFaces(const MeshTables& tables, const LaneSteps& steps, RayPool& pool) const;
 
   /// What Embree alone says of all rays in a pool, into its nextFace; kNoFace where it finds none.
   void nameFaces(RayPool& pool) const;

@@ -11,18 +11,10 @@ Engine engineOf(const Cloud& cloud, Engine asked) {
 }
 
 Engines makeEngines(const Cloud& cloud, Engine engine) {
-  const EmbreeMode mode = engine == Engine::embreeRobust ? EmbreeMode::robust : EmbreeMode::fast;
-  std::optional<EmbreeDevice> device;
+  EngineDevices devices;
   Engines engines;
-  for (const Population& population : cloud.populations()) {
-    const CrystalMesh& mesh = population.mesh();
-    if (engine == Engine::planes || (engine == Engine::automatic && mesh.isConvex())) {
-      engines.emplace_back(PlanesIntersector(mesh));
-      continue;
-    }
-    if (!device) device.emplace();
-    engines.emplace_back(EmbreeIntersector(*device, mesh, mode));
-  }
+  for (const Population& population : cloud.populations())
+    engines.push_back(makeIntersector(engine, population.mesh(), devices));
   return engines;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -11,7 +12,12 @@
 
 namespace parhelion {
 
-/// Whatever finds the next face of one mesh.
+/// Whatever finds the next face of one mesh. Each has the same two functions, for one ray and for all rays of a pool:
+///
+///   std::optional<FaceHit> nextFace(const Crystal&, const Vec3& point, const Vec3& lightDir, int leftFace) const
+///   int findFaces(const MeshTables&, const LaneSteps&, RayPool&) const
+///
+/// The latter returns for how many rays the engine found no face and the planes decided.
 using Intersector = std::variant<EmbreeIntersector, PlanesIntersector>;
 
 /// One intersector a population, in the populations' order. Valid as long as the cloud.
@@ -19,6 +25,32 @@ using Engines = std::vector<Intersector>;
 
 /// The engine asked for, or the planes where the choice is left and all crystals are convex.
 Engine engineOf(const Cloud& cloud, Engine asked);
+
+/// What intersectors of different crystals share, made when the first of them needs it.
+struct EngineDevices {
+  std::optional<EmbreeDevice> embree;
+
+  const EmbreeDevice& theEmbree() {
+    if (!embree) embree.emplace();
+    return *embree;
+  }
+};
+
+/// The intersector of one mesh by an engine; the choice that is left falls on the planes where they can. Throws
+/// std::runtime_error when Embree fails.
+inline Intersector makeIntersector(Engine engine, const CrystalMesh& mesh, EngineDevices& devices) {
+  switch (engine) {
+    case Engine::embree:
+      return EmbreeIntersector(devices.theEmbree(), mesh, EmbreeMode::fast);
+    case Engine::embreeRobust:
+      return EmbreeIntersector(devices.theEmbree(), mesh, EmbreeMode::robust);
+    case Engine::planes:
+      return PlanesIntersector(mesh);
+    case Engine::automatic:
+      break;
+  }
+  return makeIntersector(mesh.isConvex() ? Engine::planes : Engine::embree, mesh, devices);
+}
 
 /// Throws std::runtime_error when Embree fails; without need of it, no Embree device is made.
 Engines makeEngines(const Cloud& cloud, Engine engine);

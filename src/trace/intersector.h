@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "crystal/crystal.h"
+#include "crystal/face_table.h"
 
 namespace parhelion {
 
@@ -21,5 +22,11 @@ inline constexpr int kNoFace = -1;
 /// to the faces' planes in double precision. `leftFace`, the face the ray starts on, is left out by index. Empty only
 /// when `lightDir` is not finite.
 std::optional<FaceHit> nextFaceByPlanes(const Crystal& crystal, const Vec3& point, const Vec3& lightDir, int leftFace);
+
+/// What intersectors need to know of the mesh that they find the faces of for many rays at a time.
+struct MeshTables {
+  const CrystalMesh& mesh;
+  const FaceTable& faces;
+};
 
 }  // namespace parhelion

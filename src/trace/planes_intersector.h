@@ -5,6 +5,7 @@
 
 #include "crystal/crystal.h"
 #include "trace/intersector.h"
+#include "trace/lane_steps.h"
 #include "trace/slab_table.h"
 
 namespace parhelion {
@@ -25,6 +26,12 @@ class PlanesIntersector {
                                                     crystal.stretch, leftFace);
     if (met.face == kNoFace) return std::nullopt;
     return FaceHit{static_cast<int>(met.face), met.distance, met.cosine, false};
+  }
+
+  /// The same for all rays of a pool.
+  int findFaces(const MeshTables&, const LaneSteps& steps, RayPool& pool) const {
+    steps.findFaces(slabs_, pool);
+    return 0;
   }
 
   /// The same for lanes; valid as long as this.

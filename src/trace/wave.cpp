@@ -4,29 +4,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "math/overloaded.h"
-
 namespace parhelion {
 
 namespace {
-
-Vec3 at(const RayPool::Numbers* rows, int place) { return {rows[0][place], rows[1][place], rows[2][place]}; }
-
-/// Asks the planes where there is no next face; returns how many they found.
-int rescueRays(const CrystalMesh& mesh, RayPool& pool) {
-  int rescued = 0;
-  for (int i = 0; i < pool.active; ++i) {
-    if (pool.nextFace[i] != kNoFace) continue;
-    const auto hit = nextFaceByPlanes({&mesh, pool.stretch[i]}, at(pool.point, i), at(pool.lightDir, i),
-                                      static_cast<int>(pool.face[i]));
-    if (!hit) continue;
-    pool.nextFace[i] = hit->face;
-    pool.distance[i] = hit->distance;
-    pool.cosine[i] = hit->cosine;
-    ++rescued;
-  }
-  return rescued;
-}
 
 /// A pool of rays that carry no light, whose numbers harm nobody.
 std::unique_ptr<RayPool> emptyPool() {
@@ -94,13 +74,9 @@ void Wave::follow(RayQueue& queue, int population, int members) {
 }
 
 void Wave::findFaces(int population) {
-  std::visit(Overloaded{[&](const PlanesIntersector& planes) { steps_.findFaces(planes.slabs(), *pool_); },
-                        [&](const EmbreeIntersector& embree) {
-                          embree.nameFaces(*pool_);
-                          steps_.measureFaces(cloud_.faces(population), *pool_);
-                          counts_.rescued += rescueRays(cloud_.populations()[population].mesh(), *pool_);
-                        }},
-             engines_[population]);
+  const MeshTables tables{cloud_.populations()[population].mesh(), cloud_.faces(population)};
+  counts_.rescued +=
+      std::visit([&](const auto& engine) { return engine.findFaces(tables, steps_, *pool_); }, engines_[population]);
 }
 
 /// Puts the queue's next ray that has light inside its crystal at a place of the pool; false when there is none.

@@ -62,7 +62,7 @@ CameraSettings cameraToward(double azimuth, double elevation, double roll) {
 
 std::string lensFlags(const CameraSettings& camera) {
   const char* axes[] = {"horizontal", "vertical", "diagonal"};
-  std::string flags = " --projection " + std::string(name(camera.projection)) + " --fov-" +
+  std::string flags = " --projection " + std::string(nameOf(camera.projection)) + " --fov-" +
                       axes[static_cast<int>(camera.fieldOfViewAxis)] + f(" %.12g", degrees(camera.fieldOfView));
   const Distortion& d = camera.distortion;
   if (!d.none()) flags += f(" --distortion %.12g,%.12g", d.k1, d.k2);

@@ -17,7 +17,6 @@ using namespace parhelion;
 
 namespace {
 
-using Measure = ValueSampler::Measure;
 constexpr int kDraws = 200000;
 constexpr double kFree = std::numeric_limits<double>::infinity();
 
@@ -28,8 +27,8 @@ struct Example {
   std::function<double(double)> unnormalised;  // the density as population_settings.h writes it
 };
 
-ValueSampler zenith(const AngleDistribution& d) { return {d, Measure::solidAngle, 0.0, kPi}; }
-ValueSampler plain(const AngleDistribution& d) { return {d, Measure::linear, -kFree, kFree}; }
+ValueSampler zenith(const AngleDistribution& d) { return {d, DensityPer::solidAngle, 0.0, kPi}; }
+ValueSampler plain(const AngleDistribution& d) { return {d, DensityPer::unit, -kFree, kFree}; }
 
 std::function<double(double)> gauss(double mean, double sigma, bool perSolidAngle = false) {
   return [=](double x) {
@@ -57,7 +56,7 @@ const std::vector<Example>& examples() {
       {"laplace about the horizon", zenith(Laplace{right, one}), right - 36 * one, right + 36 * one,
        laplace(right, one)},
       {"laplace cut off", zenith(Laplace{radians(20), wide}), 0.0, kPi, laplace(radians(20), wide)},
-      {"normal aspect", ValueSampler(Normal{0.5, 0.4}, Measure::linear, 1e-4, 1e4), 1e-4, 0.5 + 8 * 0.4,
+      {"normal aspect", ValueSampler(Normal{0.5, 0.4}, DensityPer::unit, 1e-4, 1e4), 1e-4, 0.5 + 8 * 0.4,
        gauss(0.5, 0.4)}};
   return all;
 }
@@ -180,5 +179,5 @@ TEST_CASE("a distribution that lies wholly outside its range is rejected") {
   CHECK_THROWS_AS(zenith(Normal{5.0, 0.1}), std::invalid_argument);
   CHECK_THROWS_AS(zenith(Laplace{-5.0, 0.1}), std::invalid_argument);
   CHECK_THROWS_AS(zenith(PolarNormal{NAN, 0.1}), std::invalid_argument);
-  CHECK_THROWS_AS(ValueSampler(Normal{-3.0, 0.1}, Measure::linear, 1e-4, 1e4), std::invalid_argument);
+  CHECK_THROWS_AS(ValueSampler(Normal{-3.0, 0.1}, DensityPer::unit, 1e-4, 1e4), std::invalid_argument);
 }

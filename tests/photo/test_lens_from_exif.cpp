@@ -159,7 +159,7 @@ TEST_CASE("Exif that lies is refused with its value") {
 
 TEST_CASE("the field of view set for a focal length has that focal length in every projection") {
   for (const Projection projection : kProjections) {
-    CAPTURE(std::string(name(projection)));
+    CAPTURE(std::string(nameOf(projection)));
     for (const auto& [width, height] : {std::pair{6000, 4000}, std::pair{3000, 4000}, std::pair{512, 512}}) {
       const double span = std::hypot(width, height);
       for (const double diagonals : {0.2, 0.35, 0.6, 1.0, 7.0, 400.0}) {

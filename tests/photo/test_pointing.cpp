@@ -30,7 +30,7 @@ TEST_CASE("two directions give back the camera of every lens and orientation") {
       if (apart < kApart || apart > kPi - kApart) continue;
       const std::vector clues = {clueOf(camera, a, Tells::direction), clueOf(camera, b, Tells::direction)};
       const Pointing found = findPointing(lensOf(kind), clues);
-      CAPTURE(std::string(name(kind.projection)));
+      CAPTURE(std::string(nameOf(kind.projection)));
       CAPTURE(trial);
       CHECK(largestDifference(truth, turnedAs(truth, found)) < kExact);
       CHECK(found.rmsAngle() < kExact);
@@ -56,7 +56,7 @@ TEST_CASE("one direction and the roll give back the camera or one nearer to the 
       if (std::abs(glm::cross(right, sun).z) < 0.1 || sun.z * sun.z > 0.98) continue;
       const PointingClue clue = clueOf(camera, sun, Tells::direction);
       const Pointing found = findPointing(lensOf(kind), std::vector{clue}, truth.roll);
-      CAPTURE(std::string(name(kind.projection)));
+      CAPTURE(std::string(nameOf(kind.projection)));
       CAPTURE(trial);
       CHECK(found.roll == truth.roll);
       CHECK(found.rmsAngle() < kExact);
@@ -103,7 +103,7 @@ TEST_CASE("two elevations and an azimuth give back the upright camera") {
       const std::vector clues = {clueOf(camera, a, Tells::elevation), clueOf(camera, b, Tells::elevation),
                                  clueOf(camera, sun, Tells::azimuth)};
       const Pointing found = findPointing(lensOf(kind), clues);
-      CAPTURE(std::string(name(kind.projection)));
+      CAPTURE(std::string(nameOf(kind.projection)));
       CAPTURE(trial);
       CHECK(found.rmsAngle() < kExact);
       const bool same = largestDifference(truth, turnedAs(truth, found)) < kExact;
@@ -188,7 +188,7 @@ TEST_CASE("mixtures of clues that are more than enough give back the camera") {
         std::vector<PointingClue> clues;
         for (const Vec2& place : {Vec2(300, 350), Vec2(1200, 250), Vec2(1100, 800), Vec2(200, 900)})
           clues.push_back(clueOf(camera, camera.directionAt(place).value(), mixture[clues.size()]));
-        CAPTURE(std::string(name(kind.projection)));
+        CAPTURE(std::string(nameOf(kind.projection)));
         CAPTURE(&mixture - kMixtures.data());
         CHECK(largestDifference(truth, turnedAs(truth, findPointing(lensOf(kind), clues))) < kExact);
         CHECK(largestDifference(truth, turnedAs(truth, findPointing(lensOf(kind), clues, truth.roll))) < kExact);

@@ -10,6 +10,7 @@
 
 #include "math/portable.h"
 #include "random_stream.h"
+#include "recon/methods.h"
 #include "recon/published/gonzato_marchand.h"
 
 namespace parhelion {
@@ -66,7 +67,7 @@ inline GonzatoMarchandSettings withSamples(std::optional<double> samples, Kernel
 
 /// The first light of the picture, in hits per relative solid angle.
 inline Grid<double> picture(const HitMap& map, const GonzatoMarchandSettings& settings) {
-  return gonzatoMarchand(map, settings, {}).lights.front();
+  return reconstructHits(map, settings, {}).lights.front();
 }
 
 inline double total(const Grid<double>& grid) {

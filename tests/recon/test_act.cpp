@@ -3,12 +3,13 @@
 
 #include "band_limited_field.h"
 #include "hit_maps.h"
+#include "recon/methods.h"
 
 namespace parhelion {
 namespace {
 
 MethodOnMap actWith(const ActSettings& settings) {
-  return [settings](const HitMap& map) { return act(map, settings, {}); };
+  return [settings](const HitMap& map) { return reconstructHits(map, settings, {}); };
 }
 
 /// A picture known at some of its pixels, as a map of intensities.
@@ -36,7 +37,8 @@ TEST_CASE("ACT finds a band-limited picture from 15 % of its intensities, whatev
   for (int y = 0; y < 96; ++y) {
     for (int x = 0; x < 128; ++x) torus.omega.at(x, y) = 0.5 + 0.01 * y;
   }
-  const Reconstruction result = act(knownAt(torus, field, 0.15, 32), {HitReading::intensities, 8.0, 40}, {});
+  const Reconstruction result =
+      reconstructHits(knownAt(torus, field, 0.15, 32), ActSettings{HitReading::intensities, 8.0, 40}, {});
   CHECK(relativeError(result.lights[0], field) < 1e-9);
 }
 
@@ -44,7 +46,7 @@ TEST_CASE("the small grid of ACT's normal equations is exact: a finer polynomial
   // Period 6 px asks for waves the field does not have, on other grids.
   const Grid<double> field = positiveField();
   const HitMap map = knownAt(emptySky(128, 96, true), field, 0.3, 33);
-  CHECK(relativeError(act(map, {HitReading::intensities, 6.0, 60}, {}).lights[0], field) < 1e-6);
+  CHECK(relativeError(reconstructHits(map, ActSettings{HitReading::intensities, 6.0, 60}, {}).lights[0], field) < 1e-6);
 }
 
 TEST_CASE("edges that do not touch need not agree in ACT") {
@@ -52,7 +54,9 @@ TEST_CASE("edges that do not touch need not agree in ACT") {
   Grid<double> ramp(128, 1);
   for (int x = 0; x < 128; ++x) ramp.at(x, 0) = 1.0 + x / 128.0;
   const auto error = [&](const HitMap& sky) {
-    return relativeError(act(knownAt(sky, ramp, 0.3, 34), {HitReading::intensities, 12.0, 40}, {}).lights[0], ramp);
+    return relativeError(
+        reconstructHits(knownAt(sky, ramp, 0.3, 34), ActSettings{HitReading::intensities, 12.0, 40}, {}).lights[0],
+        ramp);
   };
   CHECK(error(open) < 0.003);
   CHECK(error(closed) > 0.03);

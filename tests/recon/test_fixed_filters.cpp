@@ -3,19 +3,18 @@
 
 #include "hit_maps.h"
 #include "math/conventions.h"
+#include "recon/methods.h"
 #include "recon/published/fourier.h"
-#include "recon/published/gaussian.h"
-#include "recon/published/glassner.h"
 #include "recon/published/low_pass.h"
 
 namespace parhelion {
 namespace {
 
 MethodOnMap gaussianOf(std::optional<double> sigma = {}) {
-  return [sigma](const HitMap& map) { return gaussian(map, {sigma}, {}); };
+  return [sigma](const HitMap& map) { return reconstructHits(map, GaussianSettings{sigma}, {}); };
 }
 
-const MethodOnMap kGlassner = [](const HitMap& map) { return glassner(map, {}, {}); };
+const MethodOnMap kGlassner = [](const HitMap& map) { return reconstructHits(map, GlassnerSettings{}, {}); };
 
 HitMap withHit(HitMap map, int x, int y) {
   map.lights[0].at(x, y) = 1.0;
@@ -46,7 +45,7 @@ TEST_CASE("Gaussians give the same bits for any number of threads and filter all
 
 TEST_CASE("a hit under a Gaussian has its standard deviation and its peak, also across edges that touch") {
   constexpr double kSigma = 3.0;
-  const Reconstruction inside = gaussian(withHit(emptySky(64, 64, true), 32, 32), {kSigma}, {});
+  const Reconstruction inside = reconstructHits(withHit(emptySky(64, 64, true), 32, 32), GaussianSettings{kSigma}, {});
   double variance = 0.0;
   for (int y = 0; y < 64; ++y) {
     for (int x = 0; x < 64; ++x) variance += (x - 32) * (x - 32) * inside.lights[0].at(x, y);
@@ -54,7 +53,7 @@ TEST_CASE("a hit under a Gaussian has its standard deviation and its peak, also 
   CHECK(variance == doctest::Approx(kSigma * kSigma).epsilon(0.002));  // cut at 4 sigma
   CHECK(inside.lights[0].at(32, 32) == doctest::Approx(1.0 / (2.0 * kPi * kSigma * kSigma)).epsilon(0.001));
 
-  const Reconstruction corner = gaussian(withHit(emptySky(64, 64, true), 0, 63), {kSigma}, {});
+  const Reconstruction corner = reconstructHits(withHit(emptySky(64, 64, true), 0, 63), GaussianSettings{kSigma}, {});
   for (int y = 0; y < 64; ++y) {
     for (int x = 0; x < 64; ++x) {
       CHECK(corner.lights[0].at(x, y) == doctest::Approx(inside.lights[0].at((x + 32) % 64, (y + 33) % 64)));
@@ -64,16 +63,17 @@ TEST_CASE("a hit under a Gaussian has its standard deviation and its peak, also 
 
 TEST_CASE("Glassner's filter is the mean of Gaussians of 1, 2, 4, ... pixels") {
   const HitMap map = withHit(emptySky(96, 96), 40, 50);
-  const Reconstruction mean = glassner(map, {4}, {});
+  const Reconstruction mean = reconstructHits(map, GlassnerSettings{4}, {});
   for (const int x : {40, 43, 49, 61}) {
     double sum = 0.0;
-    for (const double sigma : {1.0, 2.0, 4.0, 8.0}) sum += gaussian(map, {sigma}, {}).lights[0].at(x, 52);
+    for (const double sigma : {1.0, 2.0, 4.0, 8.0})
+      sum += reconstructHits(map, GaussianSettings{sigma}, {}).lights[0].at(x, 52);
     CHECK(mean.lights[0].at(x, 52) == doctest::Approx(sum / 4.0));
   }
 }
 
 TEST_CASE("default filter sizes scale with the picture and shrink with the hits") {
-  const auto remark = [](const HitMap& map) { return gaussian(map, {}, {}).remarks.at(0); };
+  const auto remark = [](const HitMap& map) { return reconstructHits(map, GaussianSettings{}, {}).remarks.at(0); };
   // 0.074 px * sqrt(128 * 128) = 9.472 px for a single hit, 16^-0.224 = 0.537 of it for 16.
   HitMap map = withHit(emptySky(128, 128), 5, 5);
   CHECK(remark(map) == "sigma 9.47 px");

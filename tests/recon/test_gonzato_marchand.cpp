@@ -5,6 +5,7 @@
 
 #include <tbb/task_arena.h>
 
+#include "recon/methods.h"
 #include "synthetic_hits.h"
 
 namespace parhelion {
@@ -89,7 +90,7 @@ TEST_CASE("all kinds of light go through the same filter, chosen by the first") 
   for (std::size_t i = 0; i < map.lights[1].size(); ++i) map.lights[1][i] *= -0.25;
   for (const KernelFlow flow : kFlows) {
     for (const int iterations : {0, 2}) {
-      const std::vector<Grid<double>> lights = gonzatoMarchand(map, withSamples(40.0, flow, iterations), {}).lights;
+      const std::vector<Grid<double>> lights = reconstructHits(map, withSamples(40.0, flow, iterations), {}).lights;
       REQUIRE(lights.size() == 2);
       for (std::size_t i = 0; i < lights[0].size(); ++i) REQUIRE(lights[1][i] == -0.25 * lights[0][i]);
     }
@@ -164,10 +165,10 @@ TEST_CASE("m grows with the hits, and is told where it was chosen") {
   CHECK(hitsPerSquare(3.5505e5) == doctest::Approx(370.0).epsilon(0.25));
   CHECK(hitsPerSquare(3.5586e6) == doctest::Approx(1450.0).epsilon(0.25));
 
-  const Reconstruction chosen = gonzatoMarchand(arcHits(6), {}, {});
+  const Reconstruction chosen = reconstructHits(arcHits(6), GonzatoMarchandSettings{}, {});
   REQUIRE(chosen.remarks.size() == 1);
   CHECK(chosen.remarks[0].find("squares grow until they hold") == 0);
-  CHECK(gonzatoMarchand(arcHits(6), withSamples(20.0, KernelFlow::scatter), {}).remarks.empty());
+  CHECK(reconstructHits(arcHits(6), withSamples(20.0, KernelFlow::scatter), {}).remarks.empty());
 }
 
 TEST_CASE("pictures have the same bits for any number of threads") {
@@ -189,7 +190,7 @@ TEST_CASE("the method can be followed and stopped") {
     stop = shares.size() == 4;
   };
   watch.stop = &stop;
-  CHECK_THROWS_AS(gonzatoMarchand(arcHits(8), withSamples(20.0, KernelFlow::scatter, 5), watch), ReconStopped);
+  CHECK_THROWS_AS(reconstructHits(arcHits(8), withSamples(20.0, KernelFlow::scatter, 5), watch), ReconStopped);
   REQUIRE(shares.size() == 4);
   CHECK(shares.front() == 0.0);
   CHECK(std::ranges::is_sorted(shares));

@@ -6,13 +6,13 @@
 #include <utility>
 
 #include "hit_maps.h"
-#include "recon/published/marvasti.h"
+#include "recon/methods.h"
 
 namespace parhelion {
 namespace {
 
 MethodOnMap marvastiWith(const MarvastiSettings& settings) {
-  return [settings](const HitMap& map) { return marvasti(map, settings, {}); };
+  return [settings](const HitMap& map) { return reconstructHits(map, settings, {}); };
 }
 
 }  // namespace
@@ -54,7 +54,7 @@ TEST_CASE("a relaxation above two over the density makes Marvasti's iteration di
   // Errors of smooth parts are multiplied by 1 - relaxation: by more than a tenth they stop at once, otherwise after
   // two.
   for (const auto& [relaxation, late] : {std::pair{2.5, 1}, {2.04, 2}}) {
-    const Reconstruction stopped = marvasti(dense, {8.0, 200, relaxation}, {});
+    const Reconstruction stopped = reconstructHits(dense, MarvastiSettings{8.0, 200, relaxation}, {});
     REQUIRE(stopped.remarks.size() == 2);
     CAPTURE(stopped.remarks[1]);
     int last = 0, best = 0;
@@ -65,15 +65,16 @@ TEST_CASE("a relaxation above two over the density makes Marvasti's iteration di
     CHECK(to > from);
     CHECK(allFinite(stopped.lights[0]));
     // What is kept is the picture that as many iterations as that make.
-    CHECK(stopped.lights[0].at(40, 40) == marvasti(dense, {8.0, best, relaxation}, {}).lights[0].at(40, 40));
+    CHECK(stopped.lights[0].at(40, 40) ==
+          reconstructHits(dense, MarvastiSettings{8.0, best, relaxation}, {}).lights[0].at(40, 40));
   }
-  CHECK(marvasti(dense, {8.0, 20, 1.0}, {}).remarks.size() == 1);
+  CHECK(reconstructHits(dense, MarvastiSettings{8.0, 20, 1.0}, {}).remarks.size() == 1);
 }
 
 TEST_CASE("an iteration that is asked to stop does so") {
   const HitMap map = poissonHits(emptySky(32, 32), 1.0, 9);
   const std::atomic<bool> stop{true};
-  CHECK_THROWS_AS(marvasti(map, {4.0, 5, 1.0}, {{}, &stop}), ReconStopped);
+  CHECK_THROWS_AS(reconstructHits(map, MarvastiSettings{4.0, 5, 1.0}, {{}, &stop}), ReconStopped);
 }
 
 }  // namespace parhelion

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <doctest/doctest.h>
 
+#include "recon/methods.h"
 #include "recon/published/square_sizes.h"
 #include "synthetic_hits.h"
 
@@ -50,12 +51,12 @@ TEST_CASE("density: two skies of 2 and 0.02 hits per pixel differ by 100, in the
 TEST_CASE("divergence: unnormalised kernels over 16 hits make the residual grow, which is stopped and told") {
   const HitMap map = poissonMap(
       kSide, kSide, [](int, int) { return 0.5; }, 1);
-  const Reconstruction stopped = gonzatoMarchand(map, toTheLetter(10), {});
+  const Reconstruction stopped = reconstructHits(map, toTheLetter(10), {});
   REQUIRE(stopped.remarks.size() == 1);
   CHECK(stopped.remarks[0].find("iteration 1 raises the residual from") == 0);
   CHECK(sameBits(stopped.lights[0], picture(map, toTheLetter())));
   for (const KernelFlow flow : kFlows) {
-    CHECK(gonzatoMarchand(map, withSamples(16.0, flow, 10), {}).remarks.empty());
+    CHECK(reconstructHits(map, withSamples(16.0, flow, 10), {}).remarks.empty());
   }
 }
 

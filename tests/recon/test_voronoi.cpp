@@ -4,15 +4,15 @@
 #include <set>
 
 #include "hit_maps.h"
+#include "recon/methods.h"
 #include "recon/published/allebach.h"
 #include "recon/published/nearest_hits.h"
-#include "recon/published/voronoi.h"
 
 namespace parhelion {
 namespace {
 
 MethodOnMap voronoiWith(const VoronoiSettings& settings) {
-  return [settings](const HitMap& map) { return voronoi(map, settings, {}); };
+  return [settings](const HitMap& map) { return reconstructHits(map, settings, {}); };
 }
 
 /// Squared distance of two pixels, round the torus where edges touch.
@@ -80,7 +80,8 @@ TEST_CASE("a mirrored map gives the mirrored picture") {
   for (int y = 0; y < kSide; ++y) {
     for (int x = 0; x < kSide; ++x) mirrored.lights[0].at(x, y) = map.lights[0].at(kSide - 1 - x, y);
   }
-  const Reconstruction a = voronoi(map, {}, {}), b = voronoi(mirrored, {}, {});
+  const Reconstruction a = reconstructHits(map, VoronoiSettings{}, {}),
+                       b = reconstructHits(mirrored, VoronoiSettings{}, {});
   for (int y = 0; y < kSide; ++y) {
     for (int x = 0; x < kSide; ++x) {
       CHECK(std::abs(a.lights[0].at(x, y) - b.lights[0].at(kSide - 1 - x, y)) < 1e-12);
@@ -117,14 +118,15 @@ TEST_CASE("Voronoi densities keep the light of a thin flat sky, after ten iterat
 TEST_CASE("read as intensities, sparse hits are a grey sky of ones") {
   // The mean of a Poisson count of 0.1 that is not zero is 0.1 / (1 - exp(-0.1)) = 1.051.
   const HitMap flat = poissonHits(emptySky(128, 128), 0.1, 24);
-  const double mean = lightOf(voronoi(flat, {HitReading::intensities, {}, 0}, {}), flat) / (128.0 * 128.0);
+  const double mean =
+      lightOf(reconstructHits(flat, VoronoiSettings{HitReading::intensities, {}, 0}, {}), flat) / (128.0 * 128.0);
   CHECK(mean == doctest::Approx(1.051).epsilon(0.03));
 }
 
 TEST_CASE("both readings agree where every pixel has many hits") {
   const HitMap dense = poissonHits(emptySky(64, 64), 30.0, 25);
-  const Reconstruction intensities = voronoi(dense, {HitReading::intensities, 6.0, 0}, {});
-  const Reconstruction densities = voronoi(dense, {HitReading::densities, 6.0, 0}, {});
+  const Reconstruction intensities = reconstructHits(dense, VoronoiSettings{HitReading::intensities, 6.0, 0}, {});
+  const Reconstruction densities = reconstructHits(dense, VoronoiSettings{HitReading::densities, 6.0, 0}, {});
   for (std::size_t i = 0; i < dense.omega.size(); ++i) {
     CHECK(intensities.lights[0][i] == doctest::Approx(densities.lights[0][i]));
   }

@@ -35,6 +35,6 @@ TEST_CASE("a summary shows lines, constant ice, pyramids and Lowitz orientations
 TEST_CASE("enumerations have the names that scene files use") {
   CHECK(nameOf(Engine::embreeRobust) == "embree-robust");
   CHECK(nameOf(PathMode::split) == "split");
-  CHECK(nameOf(ReconMethod::adaptive) == "adaptive");
+  CHECK(nameOf(ReconSettings{}) == "adaptive");
   CHECK(nameOf(Projection::fisheyeEqualArea) == "fisheye-equal-area");
 }

@@ -34,7 +34,7 @@ TEST_CASE("the documented scene gives the settings it describes") {
   CHECK(scene.camera.fieldOfView == radians(180.0));
   CHECK(scene.camera.imageCircle == 0.0);
   CHECK(scene.trace.rays == 10'000'000);
-  CHECK(methodOf(scene.recon) == ReconMethod::adaptive);
+  CHECK(std::holds_alternative<AdaptiveSettings>(scene.recon));
 
   REQUIRE(scene.populations.size() == 2);
   const PopulationSettings& plates = scene.populations[0];
@@ -169,7 +169,7 @@ TEST_CASE("a byte order mark and Windows line ends change nothing") {
   for (const char c : kExample) text += c == '\n' ? "\r\n" : std::string(1, c);
   const Scene scene = sceneOf("\xEF\xBB\xBF" + text);
   CHECK(scene.populations.size() == 2);
-  CHECK(methodOf(scene.recon) == ReconMethod::adaptive);
+  CHECK(std::holds_alternative<AdaptiveSettings>(scene.recon));
   const auto errors = errorsOf("\xEF\xBB\xBF[sun]\r\nelevation = 91\r\n[[population]]\r\n");
   CHECK(linesOf(errors) ==
         std::vector<std::string>{"2:13 'elevation' must be a number from -90 to 90 degrees, not 91"});

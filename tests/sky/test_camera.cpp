@@ -55,7 +55,7 @@ double widest(Projection p) {
 TEST_CASE("every place in the picture goes to the sky and back") {
   std::mt19937 random(1);
   for (const Projection projection : kProjections) {
-    CAPTURE(std::string(name(projection)));
+    CAPTURE(std::string(nameOf(projection)));
     CameraSettings s = settings(projection, 0.9 * widest(projection), 640, 480);
     s.azimuth = 0.7;
     s.elevation = -0.4;
@@ -82,7 +82,7 @@ TEST_CASE("every direction of the sky goes to the picture and back, close to the
   std::mt19937 random(2);
   std::normal_distribution<double> normal;
   for (const Projection projection : kProjections) {
-    CAPTURE(std::string(name(projection)));
+    CAPTURE(std::string(nameOf(projection)));
     CameraSettings s = settings(projection, widest(projection), 900, 900);
     s.elevation = 0.6;
     const Camera camera(s);
@@ -112,7 +112,7 @@ TEST_CASE("every direction of the sky goes to the picture and back, close to the
 
 TEST_CASE("facing the sun, azimuth +90 is at the right and higher elevation is up, in every projection") {
   for (const Projection projection : kProjections) {
-    CAPTURE(std::string(name(projection)));
+    CAPTURE(std::string(nameOf(projection)));
     const Camera camera(settings(projection, 100.0, 300, 200));
     const Vec2 centre = at(camera, 0.0, 0.0);
     CHECK(centre.x == doctest::Approx(150.0));
@@ -149,7 +149,7 @@ TEST_CASE("a camera rolled clockwise shows its content turned counter-clockwise"
 
 TEST_CASE("the border of the picture lies at half the field of view along the axis asked for") {
   for (const Projection projection : kProjections) {
-    CAPTURE(std::string(name(projection)));
+    CAPTURE(std::string(nameOf(projection)));
     CameraSettings s = settings(projection, 80.0, 300, 200);
     CHECK(at(Camera(s), 40.0 - 1e-9, 0.0).x == doctest::Approx(300.0).epsilon(1e-9));
     s.fieldOfViewAxis = FieldOfViewAxis::vertical;
@@ -165,7 +165,7 @@ TEST_CASE("the border of the picture lies at half the field of view along the ax
 
 TEST_CASE("at the poles, the axis and the antipode nothing is lost and nothing is NaN") {
   for (const Projection projection : kProjections) {
-    CAPTURE(std::string(name(projection)));
+    CAPTURE(std::string(nameOf(projection)));
     for (const double elevation : {0.0, 0.5 * kPi, -0.5 * kPi}) {
       CameraSettings s = settings(projection, widest(projection), 512, 512);
       s.elevation = elevation;

@@ -36,7 +36,7 @@ TEST_CASE("every setting of a camera has a key") {
 
 TEST_CASE("a camera of any projection survives the attributes of a tally's file") {
   for (const CameraSettings& camera : unusualCameras()) {
-    CAPTURE(std::string(name(camera.projection)));
+    CAPTURE(std::string(nameOf(camera.projection)));
     CAPTURE(std::string(keyOf(camera.fieldOfViewAxis).name));
     TallyInfo info;
     info.camera = camera;

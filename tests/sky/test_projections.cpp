@@ -5,27 +5,28 @@
 #include <set>
 #include <string>
 
+#include "math/names.h"
 #include "sky/projections.h"
 
 using namespace parhelion;
 
 TEST_CASE("the projections are all there, each of one name that reads back") {
-  CHECK(allProjections().size() == 6);
-  CHECK(allProjections().front() == Projection::rectilinear);
-  CHECK(allProjections().back() == Projection::equirectangular);
+  CHECK(kMembersOf<Projection>.size() == 6);
+  CHECK(kMembersOf<Projection>.front() == Projection::rectilinear);
+  CHECK(kMembersOf<Projection>.back() == Projection::equirectangular);
   std::set<std::string_view> names;
-  for (const Projection projection : allProjections()) {
-    CHECK(projectionNamed(name(projection)) == projection);
-    names.insert(name(projection));
+  for (const Projection projection : kMembersOf<Projection>) {
+    CHECK(memberNamed<Projection>(nameOf(projection)) == projection);
+    names.insert(nameOf(projection));
   }
-  CHECK(names.size() == allProjections().size());
-  CHECK(!projectionNamed("round"));
-  CHECK(!projectionNamed(""));
+  CHECK(names.size() == kMembersOf<Projection>.size());
+  CHECK(!memberNamed<Projection>("round"));
+  CHECK(!memberNamed<Projection>(""));
 }
 
 TEST_CASE("radius and angle are each other's inverse up to the limit of the projection") {
-  for (const Projection projection : allProjections()) {
-    CAPTURE(std::string(name(projection)));
+  for (const Projection projection : kMembersOf<Projection>) {
+    CAPTURE(std::string(nameOf(projection)));
     visitProjection(projection, [](auto facts) {
       const double limit = 0.5 * radians(facts.fieldOfView.hi);
       for (const double share : {0.001, 0.1, 0.5, 0.9, 1.0}) {

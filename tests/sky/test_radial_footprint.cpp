@@ -124,7 +124,7 @@ std::vector<double> errorsAtEdge(const TallyInfo& i, double angle, bool whole, i
 
 TEST_CASE("a sky of constant radiance gives each pixel its solid angle") {
   for (const TallyInfo& i : pictures()) {
-    CAPTURE(std::string(name(i.camera.projection)));
+    CAPTURE(std::string(nameOf(i.camera.projection)));
     const Tally tally = spread(skyOf(i, [](int) { return 1.0; }), i);
     const std::vector<double> solidAngles = Camera(i.camera).solidAngles();
     double worst = 0.0;
@@ -143,7 +143,7 @@ TEST_CASE("an edge of the profile is spread to 1e-3 of a pixel in every projecti
   const double sampling = std::sqrt(2.0 * kSide * 0.25) / (kSide * kSide);
   for (const TallyInfo& i : pictures()) {
     for (const double angle : {1.0, 21.84, 120.0, 178.0}) {
-      CAPTURE(std::string(name(i.camera.projection)));
+      CAPTURE(std::string(nameOf(i.camera.projection)));
       CAPTURE(angle);
       double worst = 0.0, squares = 0.0, count = 0.0;
       for (const double error : errorsAtEdge(i, radians(angle), true, 6)) {
@@ -163,7 +163,7 @@ TEST_CASE("pixels that the image circle cuts get the light of their part of the 
                                                           {Projection::fisheyeStereographic, 4e-3},
                                                           {Projection::fisheyeOrthographic, 2e-2}};
   for (const auto& [projection, bound] : bounds) {
-    CAPTURE(std::string(name(projection)));
+    CAPTURE(std::string(nameOf(projection)));
     const TallyInfo i = info(projection, 180, 200, 200, 90);
     int count = 0;
     double worst = 0.0;

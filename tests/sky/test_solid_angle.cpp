@@ -77,7 +77,7 @@ double quadrature(const Camera& camera, int x, int y, int panels) {
 TEST_CASE("the pixels of an all-sky fisheye add up to the hemisphere, of a whole-sphere fisheye to the sphere") {
   for (const Projection projection : {Projection::fisheyeEqualArea, Projection::fisheyeEquidistant,
                                       Projection::fisheyeStereographic, Projection::fisheyeOrthographic}) {
-    CAPTURE(std::string(name(projection)));
+    CAPTURE(std::string(nameOf(projection)));
     for (const int size : {1, 2, 7, 64, 301, 512}) {
       CAPTURE(size);
       CHECK(total(settings(projection, 180.0, size, size)) == doctest::Approx(2.0 * kPi).epsilon(1e-11));
@@ -129,7 +129,7 @@ TEST_CASE("the solid angle of single pixels agrees with quadrature to 1e-10") {
                               settings(Projection::fisheyeEquidistant, 3.0, 8000, 8000),
                               settings(Projection::rectilinear, 0.5, 8000, 8000)};
   for (const CameraSettings& s : cameras) {
-    CAPTURE(std::string(name(s.projection)));
+    CAPTURE(std::string(nameOf(s.projection)));
     const Camera camera(s);
     const double limit = s.projection == Projection::fisheyeOrthographic ? 0.99 : 1e9;  // 1 - r^2 is singular at 1
     const double circle = s.projection == Projection::fisheyeEquidistant ? kPi : limit * 1.0;
@@ -151,7 +151,7 @@ TEST_CASE("pixels cut by the image circle hold the part inside it") {
   // By polar quadrature of the part of the pixel inside the circle, row by row: the chord ends at sqrt(R^2 - y^2).
   for (const Projection projection :
        {Projection::fisheyeEqualArea, Projection::fisheyeEquidistant, Projection::fisheyeStereographic}) {
-    CAPTURE(std::string(name(projection)));
+    CAPTURE(std::string(nameOf(projection)));
     const Camera camera(settings(projection, 180.0, 64, 64));
     int cut = 0;
     for (int y = 33; y < 50; ++y) {

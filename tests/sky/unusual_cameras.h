@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "math/names.h"
 #include "sky/camera_keys.h"
 #include "sky/projections.h"
 
@@ -59,7 +60,7 @@ class UnusualKeys {
 /// Cameras of every projection and every axis of the field of view, with no default in any key that they can have.
 inline std::vector<CameraSettings> unusualCameras() {
   std::vector<CameraSettings> all;
-  for (const Projection projection : allProjections()) {
+  for (const Projection projection : kMembersOf<Projection>) {
     const bool hasDiagonal = visitProjection(projection, [](auto facts) { return facts.hasDiagonal; });
     for (const FieldOfViewKey& key : kFieldOfViewKeys) {
       if (key.axis == FieldOfViewAxis::diagonal && !hasDiagonal) continue;

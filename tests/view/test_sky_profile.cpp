@@ -56,7 +56,7 @@ TEST_CASE("the profile of a sky that depends on the angle from the sun alone is 
   for (const Projection projection : kAll) {
     const Camera eye = camera(projection);
     for (const SkyProfileBin& bin : skyProfile(ringSky(eye), eye, kToSun, settings)) {
-      INFO(name(projection), " ", degrees(bin.from));
+      INFO(nameOf(projection), " ", degrees(bin.from));
       REQUIRE(bin.pixels > 8);
       const double exact = ring(bin.from + half);
       CHECK(std::abs(bin.mean.x - exact) < bound);

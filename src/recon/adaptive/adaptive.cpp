@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "recon/adaptive/adaptive.h"
-
 #include "picture/colour_space.h"
 #include "recon/adaptive/adaptive_filter.h"
 #include "recon/adaptive/guard_band.h"
+#include "recon/methods.h"
 #include "recon/sky_light.h"
 
 namespace parhelion {
@@ -114,10 +113,10 @@ Image reconstructed(const SkyLight& from, const Watch& watch) {
 
 }  // namespace
 
-Image adaptiveRadiance(const Tally& tally, const Watch& watch) {
+ReconstructedSky reconstructSky(const Tally& tally, const AdaptiveSettings&, const Watch& watch) {
   const SkyLight light(tally);
-  if (light.hitsPerLight() <= 0.0) return emptyRadiance(tally.width(), tally.height());
-  return tally.colours() == 1 ? reconstructed<2>(light, watch) : reconstructed<4>(light, watch);
+  if (light.hitsPerLight() <= 0.0) return {emptyRadiance(tally.width(), tally.height()), {}};
+  return {tally.colours() == 1 ? reconstructed<2>(light, watch) : reconstructed<4>(light, watch), {}};
 }
 
 }  // namespace parhelion

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "recon/methods.h"
 #include "recon/published/filter_size.h"
 #include "recon/published/fourier.h"
 #include "recon/published/low_pass.h"
@@ -162,7 +163,7 @@ Reconstruction fitPolynomial(const HitMap& map, const KnownValues& known, double
   return result;
 }
 
-Reconstruction act(const HitMap& map, const ActSettings& settings, const Watch& watch) {
+Reconstruction reconstructHits(const HitMap& map, const ActSettings& settings, const Watch& watch) {
   watch.at(0.0);
   const KnownValues known = voronoiCells(map, NearestHits(map), settings.reading);
   const double period = settings.period.value_or(sizeByHits(map, kActPeriod));

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "math/portable.h"
+#include "recon/methods.h"
 #include "recon/published/filter_size.h"
 
 namespace parhelion {
@@ -77,7 +78,7 @@ std::vector<Grid<double>> gaussianMeans(const HitMap& map, double sigma) {
   return means;
 }
 
-Reconstruction gaussian(const HitMap& map, const GaussianSettings& settings, const Watch& watch) {
+Reconstruction reconstructHits(const HitMap& map, const GaussianSettings& settings, const Watch& watch) {
   watch.at(0.0);
   const double sigma = settings.sigma.value_or(sizeByHits(map, kGaussianSigma));
   return {gaussianMeans(map, sigma), {sizeRemark("sigma", sigma)}};

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "recon/published/glassner.h"
-
 #include <cmath>
 
+#include "recon/methods.h"
 #include "recon/published/gaussian.h"
 
 namespace parhelion {
 
-Reconstruction glassner(const HitMap& map, const GlassnerSettings& settings, const Watch& watch) {
+Reconstruction reconstructHits(const HitMap& map, const GlassnerSettings& settings, const Watch& watch) {
   std::vector<Grid<double>> mean(map.lights.size(), Grid<double>(map.width(), map.height()));
   for (int scale = 0; scale < settings.scales; ++scale) {
     watch.at(static_cast<double>(scale) / settings.scales);

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "math/portable.h"
+#include "recon/methods.h"
 #include "recon/published/sinc_filter.h"
 
 namespace parhelion {
@@ -102,7 +103,7 @@ void iterate(const HitMap& map, const GonzatoMarchandSettings& settings, const S
 
 double hitsPerSquare(double hits) { return std::max(0.28 * portable::exp(0.57 * portable::log(hits)), 16.0); }
 
-Reconstruction gonzatoMarchand(const HitMap& map, const GonzatoMarchandSettings& settings, const Watch& watch) {
+Reconstruction reconstructHits(const HitMap& map, const GonzatoMarchandSettings& settings, const Watch& watch) {
   watch.at(0.0);
   Reconstruction result;
   if (!(sumOf(map.hits(), [](double h) { return h; }) > 0.0)) {

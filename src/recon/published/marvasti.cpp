@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "recon/published/marvasti.h"
-
+#include "recon/methods.h"
 #include "recon/published/allebach.h"
 #include "recon/published/filter_size.h"
 #include "recon/published/low_pass.h"
 
 namespace parhelion {
 
-Reconstruction marvasti(const HitMap& map, const MarvastiSettings& settings, const Watch& watch) {
+Reconstruction reconstructHits(const HitMap& map, const MarvastiSettings& settings, const Watch& watch) {
   watch.at(0.0);
   const KnownValues known = hitPixels(map);
   const double period = settings.period.value_or(sizeByHits(map, kMarvastiPeriod));

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "recon/published/voronoi.h"
-
+#include "recon/methods.h"
 #include "recon/published/allebach.h"
 #include "recon/published/filter_size.h"
 #include "recon/published/low_pass.h"
 
 namespace parhelion {
 
-Reconstruction voronoi(const HitMap& map, const VoronoiSettings& settings, const Watch& watch) {
+Reconstruction reconstructHits(const HitMap& map, const VoronoiSettings& settings, const Watch& watch) {
   watch.at(0.0);
   const NearestHits nearest(map);
   const KnownValues known = voronoiCells(map, nearest, settings.reading);

@@ -7,7 +7,6 @@ namespace parhelion::projections {
 
 /// r = 2 sin(theta / 2): equal parts of the sky have equal areas.
 struct EqualArea : Fisheye {
-  static constexpr std::string_view name = "fisheye-equal-area";
   static constexpr Range fieldOfView{0, 360, true}, verticalFieldOfView = fieldOfView;
 
   static double radiusAt(double angle) { return 2.0 * portable::sin(0.5 * angle); }

@@ -8,7 +8,6 @@ namespace parhelion::projections {
 
 /// r = theta.
 struct Equidistant : Fisheye {
-  static constexpr std::string_view name = "fisheye-equidistant";
   static constexpr Range fieldOfView{0, 360, true}, verticalFieldOfView = fieldOfView;
 
   static double radiusAt(double angle) { return angle; }

@@ -8,7 +8,6 @@ namespace parhelion::projections {
 
 /// r = sin theta: a hemisphere seen from far away.
 struct Orthographic : Fisheye {
-  static constexpr std::string_view name = "fisheye-orthographic";
   static constexpr Range fieldOfView{0, 180, true}, verticalFieldOfView = fieldOfView;
 
   static double radiusAt(double angle) { return portable::sin(angle); }

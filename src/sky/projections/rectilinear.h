@@ -9,7 +9,6 @@ namespace parhelion::projections {
 
 /// r = tan theta: straight lines stay straight.
 struct Rectilinear {
-  static constexpr std::string_view name = "rectilinear";
   static constexpr bool isFisheye = false, isAzimuthal = true, hasDiagonal = true;
   static constexpr Range fieldOfView{0, 180, true, true}, verticalFieldOfView = fieldOfView;
   static constexpr double defaultFieldOfView = 60, defaultElevation = 0;

@@ -7,7 +7,6 @@ namespace parhelion::projections {
 
 /// r = 2 tan(theta / 2): small shapes and all circles keep their form.
 struct Stereographic : Fisheye {
-  static constexpr std::string_view name = "fisheye-stereographic";
   static constexpr Range fieldOfView{0, 360, true, true}, verticalFieldOfView = fieldOfView;
 
   static double radiusAt(double angle) { return 2.0 * portable::tan(0.5 * angle); }

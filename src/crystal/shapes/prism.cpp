@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "crystal/shapes/prism.h"
+
+#include "crystal/shapes/hexagon_stack.h"
+
+namespace parhelion {
+
+CrystalMesh hexagonalPrism(double aspect) {
+  HexagonStack stack;
+  const int lower = stack.addRing(1.0, -aspect), upper = stack.addRing(1.0, aspect);
+  stack.addTop(upper);
+  stack.addBottom(lower);
+  stack.addBelt(3, lower, false, upper, false);
+  return CrystalMesh(stack.vertices, stack.faces);
+}
+
+CrystalMesh meshOf(const PrismSettings& prism) {
+  const auto* fixed = std::get_if<FixedValue>(&prism.aspect);
+  return hexagonalPrism(fixed ? fixed->value : 1.0);
+}
+
+std::optional<AngleDistribution> stretchOf(const PrismSettings& prism) {
+  if (std::holds_alternative<FixedValue>(prism.aspect)) return std::nullopt;
+  return std::visit([](const auto& d) -> AngleDistribution { return d; }, prism.aspect);
+}
+
+}  // namespace parhelion
