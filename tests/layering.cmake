@@ -7,18 +7,19 @@ cmake_minimum_required(VERSION 3.24)
 # Folder and the folders it may include from, itself aside. Of those in settings_FOLDER it may include what ends in
 # _settings.h alone: plain structs.
 set(may_math "")
+set(may_parallel "")
 set(may_optics math)
 set(may_crystal math)
 set(may_picture math)
 set(may_sky picture optics math)
-set(may_trace sky picture crystal optics math)
-set(may_recon sky picture math)
-set(may_photo sky picture math)
+set(may_trace sky picture crystal optics math parallel)
+set(may_recon sky picture math parallel)
+set(may_photo sky picture math parallel)
 set(may_view sky picture optics math)
 set(may_scene sky picture crystal optics math)
 set(settings_scene trace recon)
-set(may_render scene trace recon photo view sky picture crystal optics math)
-set(may_cli render scene view photo trace recon sky picture crystal optics math)
+set(may_render scene trace recon photo view sky picture crystal optics math parallel)
+set(may_cli render scene view photo trace recon sky picture crystal optics math parallel)
 set(may_main cli scene)
 
 # Third-party header (a regular expression of the start of its name) and the folders in which it may appear.
@@ -26,7 +27,7 @@ set(third_party
   "glm/|math,optics,crystal,picture,sky,trace,recon,photo,view"
   "sleef\\.h|math"
   "embree[34]/|trace"
-  "tbb/|trace,recon,photo"
+  "tbb/|parallel,trace"
   "kissfft/|recon"
   "Imf|picture,sky"
   "Iex|picture,sky"
@@ -69,6 +70,14 @@ foreach(source IN LISTS sources)
       endif()
       if(NOT target IN_LIST allowed)
         string(APPEND problems "${source}: ${folder} may not include from ${target}\n")
+      endif()
+      # Methods of reconstruction do not know each other; one file knows all.
+      if(include MATCHES "\"recon/(adaptive|published)/" AND source MATCHES "^recon/" AND
+         NOT source STREQUAL "recon/reconstruct.cpp")
+        string(REGEX MATCH "recon/(adaptive|published)/" room ${include})
+        if(NOT source MATCHES "^${room}")
+          string(APPEND problems "${source}: only recon/reconstruct.cpp and ${room} may include from ${room}\n")
+        endif()
       endif()
     elseif(include MATCHES "#include <([^>]+)>")
       set(header ${CMAKE_MATCH_1})

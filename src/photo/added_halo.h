@@ -24,6 +24,8 @@ struct AddedHaloReport {
   std::size_t touched = 0;    // pixels whose samples changed
   std::size_t clipped = 0;    // pixels that the halo brought beyond white
   std::size_t uncovered = 0;  // pixels of sky that the halo's picture does not reach; nothing was added there
+
+  AddedHaloReport& operator+=(const AddedHaloReport& other);
 };
 
 /// Adds the halo's light to a photograph, in linear light. Each sample becomes one of the two codes next to its light,

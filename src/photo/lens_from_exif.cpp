@@ -31,7 +31,7 @@ constexpr double kAgreement = 1.2;
 constexpr double kSlackPixels = 1.0;
 constexpr double kSlackShare = 0.01;
 
-// Field of view at the very limit of a projection: lost digits must not count as beyond it.
+// Relative. Field of view at the very limit of a projection: lost digits must not count as beyond it.
 constexpr double kRounding = 1e-15;
 
 std::string text(double number) {

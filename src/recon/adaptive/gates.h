@@ -16,7 +16,7 @@ struct CorrectionSquares {
 
 /// Corrections at half resolution, and how the noise compares with that of independent hits.
 struct Corrections {
-  Grid<CorrectionSquares> blocks;
+  Raster<CorrectionSquares> blocks;
   double noiseRatio = 1.0;   // measured variance over that of independent hits
   double colourRatio = 1.0;  // of what the noise changes in colour over what it would change in the luminance
 };
@@ -25,25 +25,25 @@ struct Corrections {
 /// difference between two independent halves of it, whose square is pure noise. Lights 2 and 3 are X and Z relative to
 /// white. Of these there are no halves: what changes in colour is taken for noise in half of all blocks.
 template <std::size_t N>
-Corrections compareSizes(const SkyPyramid& sky, const KernelField& field, const Grid<Light<N>>& wide,
-                         const Grid<Light<N>>& narrow, double hits);
+Corrections compareSizes(const SkyPyramid& sky, const KernelField& field, const Raster<Light<N>>& wide,
+                         const Raster<Light<N>>& narrow, double hits);
 
-extern template Corrections compareSizes(const SkyPyramid&, const KernelField&, const Grid<Light<2>>&,
-                                         const Grid<Light<2>>&, double);
-extern template Corrections compareSizes(const SkyPyramid&, const KernelField&, const Grid<Light<4>>&,
-                                         const Grid<Light<4>>&, double);
+extern template Corrections compareSizes(const SkyPyramid&, const KernelField&, const Raster<Light<2>>&,
+                                         const Raster<Light<2>>&, double);
+extern template Corrections compareSizes(const SkyPyramid&, const KernelField&, const Raster<Light<4>>&,
+                                         const Raster<Light<4>>&, double);
 
 /// How much of each correction to keep, 0 to 1, at half resolution: all of what exceeds `caution` times the noise in
 /// the mean over windows somewhat wider than the kernels, and never more than `coarser`, the gates of the wider
 /// kernels (empty: none). So any sum of gated corrections is a mean of the filtered pictures: it stays positive.
-Grid<float> correctionGates(const Corrections& corrections, const KernelField& field, double hits, double caution,
-                            const Grid<float>& coarser);
+Raster<float> correctionGates(const Corrections& corrections, const KernelField& field, double hits, double caution,
+                              const Raster<float>& coarser);
 
 /// The same for corrections of colour.
-Grid<float> colourGates(const Corrections& corrections, const KernelField& field, double hits, double caution,
-                        const Grid<float>& coarser);
+Raster<float> colourGates(const Corrections& corrections, const KernelField& field, double hits, double caution,
+                          const Raster<float>& coarser);
 
 /// A gate at a pixel, between the centres of the blocks.
-float gateAt(const Grid<float>& gates, int x, int y);
+float gateAt(const Raster<float>& gates, int x, int y);
 
 }  // namespace parhelion

@@ -11,6 +11,6 @@ namespace parhelion {
 Reconstruction gaussian(const HitMap& map, const GaussianSettings& settings, const Watch& watch);
 
 /// The lights under a Gaussian of standard deviation `sigma` (pixels) over omega under the same.
-std::vector<Grid<double>> gaussianMeans(const HitMap& map, double sigma);
+std::vector<Raster<double>> gaussianMeans(const HitMap& map, double sigma);
 
 }  // namespace parhelion
