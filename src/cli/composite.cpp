@@ -18,6 +18,7 @@
 #include "photo/sky_match.h"
 #include "picture/colour_space.h"
 #include "picture/jpeg_patch.h"
+#include "sky/envmap.h"
 #include "view/overlay.h"
 
 namespace parhelion::cli {
