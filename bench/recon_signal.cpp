@@ -48,7 +48,7 @@ const Contender kContenders[] = {
 HitMap signalHits() {
   HitMap map;
   map.lights.emplace_back(kSamples, 1);
-  map.omega = Grid<double>(kSamples, 1, 1.0);
+  map.omega = Raster<double>(kSamples, 1, 1.0);
   for (int x = 0; x < kSamples; ++x) {
     RandomStream random(kSeed, static_cast<std::uint64_t>(x), RandomPurpose::pilot);
     map.lights[0].at(x, 0) = poisson(expected(x), random);

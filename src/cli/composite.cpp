@@ -10,6 +10,7 @@
 #include "cli/tally_run.h"
 #include "cli/text_output.h"
 #include "optics/ice.h"
+#include "parallel/threads.h"
 #include "photo/added_halo.h"
 #include "photo/editing_pictures.h"
 #include "photo/find_sky.h"
@@ -17,7 +18,6 @@
 #include "photo/sky_match.h"
 #include "picture/colour_space.h"
 #include "picture/jpeg_patch.h"
-#include "recon/threads.h"
 #include "sky/envmap.h"
 #include "view/overlay.h"
 

@@ -7,9 +7,9 @@
 
 #include "cli/commands.h"
 #include "cli/tally_run.h"
+#include "parallel/threads.h"
 #include "photo/halo_camera.h"
 #include "recon/reconstruct.h"
-#include "recon/threads.h"
 #include "scene/camera_override.h"
 
 namespace parhelion::cli {

@@ -13,9 +13,9 @@
 #include "cli/run_options.h"
 #include "cli/stats.h"
 #include "cli/text_output.h"
+#include "parallel/threads.h"
 #include "picture/png.h"
 #include "recon/compare.h"
-#include "recon/threads.h"
 #include "sky/confidence.h"
 #include "sky/tally_exr.h"
 

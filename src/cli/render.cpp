@@ -4,7 +4,7 @@
 #include "cli/run_options.h"
 #include "cli/tally_run.h"
 #include "cli/text_output.h"
-#include "recon/threads.h"
+#include "parallel/threads.h"
 
 namespace parhelion::cli {
 

@@ -9,7 +9,7 @@
 #include "cli/sweep_frames.h"
 #include "cli/tally_run.h"
 #include "cli/text_output.h"
-#include "recon/threads.h"
+#include "parallel/threads.h"
 #include "view/contact_sheet.h"
 
 namespace parhelion::cli {

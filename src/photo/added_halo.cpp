@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "photo/added_halo.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_reduce.h>
-
 #include <algorithm>
 #include <limits>
 #include <stdexcept>
 
+#include "parallel/loops.h"
 #include "picture/transfer.h"
 
 namespace parhelion {
@@ -46,8 +44,8 @@ bool brighten(Code& sample, double light, std::size_t index) {
 }
 
 template <class Sample>
-void addRow(std::vector<Sample>& samples, int channels, int width, int y, const AddedHalo& added,
-            AddedHaloReport& report) {
+AddedHaloReport addRow(std::vector<Sample>& samples, int channels, int width, int y, const AddedHalo& added) {
+  AddedHaloReport report;
   for (int x = 0; x < width; ++x) {
     const std::size_t pixel = static_cast<std::size_t>(y) * width + x;
     if (added.mask.sky[pixel] == 0) continue;
@@ -64,6 +62,7 @@ void addRow(std::vector<Sample>& samples, int channels, int width, int y, const 
     report.touched += changed ? 1 : 0;
     report.clipped += clipped ? 1 : 0;
   }
+  return report;
 }
 
 }  // namespace
@@ -74,25 +73,22 @@ std::optional<Vec3> AddedHalo::at(int x, int y) const {
   return *light * perRadiance * (mask.sky[static_cast<std::size_t>(y) * mask.width + x] / 255.0);
 }
 
+AddedHaloReport& AddedHaloReport::operator+=(const AddedHaloReport& other) {
+  touched += other.touched;
+  clipped += other.clipped;
+  uncovered += other.uncovered;
+  return *this;
+}
+
 AddedHaloReport addHalo(Photograph& photograph, const AddedHalo& added) {
   if (added.mask.width != photograph.width || added.mask.height != photograph.height)
     throw std::invalid_argument("the mask does not have the photograph's size");
-  const auto addRows = [&](const tbb::blocked_range<int>& rows, AddedHaloReport report) {
-    std::visit(
-        [&](auto& samples) {
-          for (int y = rows.begin(); y < rows.end(); ++y)
-            addRow(samples, photograph.channels, photograph.width, y, added, report);
-        },
-        photograph.samples);
-    return report;
-  };
-  const auto sum = [](AddedHaloReport a, const AddedHaloReport& b) {
-    a.touched += b.touched;
-    a.clipped += b.clipped;
-    a.uncovered += b.uncovered;
-    return a;
-  };
-  return tbb::parallel_reduce(tbb::blocked_range<int>(0, photograph.height), AddedHaloReport{}, addRows, sum);
+  return std::visit(
+      [&](auto& samples) {
+        return sumOverRows(photograph.height,
+                           [&](int y) { return addRow(samples, photograph.channels, photograph.width, y, added); });
+      },
+      photograph.samples);
 }
 
 }  // namespace parhelion

@@ -23,6 +23,8 @@ struct AddedHaloReport {
   std::size_t touched = 0;    // pixels whose samples changed
   std::size_t clipped = 0;    // pixels that the halo would make brighter than white
   std::size_t uncovered = 0;  // pixels of sky that the halo's picture does not reach; nothing was added there
+
+  AddedHaloReport& operator+=(const AddedHaloReport& other);
 };
 
 /// Adds the halo's light to a photograph, in linear light.

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "photo/editing_pictures.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 
+#include "parallel/loops.h"
 #include "picture/transfer.h"
 
 namespace parhelion {
@@ -17,7 +16,7 @@ Photograph drawn(const AddedHalo& added, const F& sampleAt) {
   picture.width = added.mask.width;
   picture.height = added.mask.height;
   std::vector<Sample> samples(3 * picture.pixels());
-  tbb::parallel_for(0, picture.height, [&](int y) {
+  forRows(picture.height, [&](int y) {
     for (int x = 0; x < picture.width; ++x) {
       const std::size_t pixel = static_cast<std::size_t>(y) * picture.width + x;
       const Vec3 light = added.mask.sky[pixel] == 0 ? Vec3(0.0) : added.at(x, y).value_or(Vec3(0.0));

@@ -6,14 +6,14 @@
 #include <cmath>
 #include <optional>
 
-#include <tbb/parallel_for.h>
-
+#include "parallel/loops.h"
 #include "photo/image_circle.h"
 #include "photo/refine_sky.h"
 #include "photo/sky_choice.h"
 #include "photo/sky_matte.h"
 #include "photo/sky_regions.h"
 #include "photo/skyline.h"
+#include "picture/square_means.h"
 
 namespace parhelion {
 
@@ -24,25 +24,10 @@ constexpr int kFineRounds = 2;    // in each finer picture: over its larger pixe
 constexpr int kCoarseSide = 400;  // pixels, of the picture in which the sky is looked for
 
 Image reduced(const Image& image, int reduction) {
-  Image small{(image.width - 1) / reduction + 1, (image.height - 1) / reduction + 1, {}};
+  Image small{squaresOver(image.width, reduction), squaresOver(image.height, reduction), {}};
   for (const Channel& channel : image.channels) {
-    std::vector<float>& samples = small.add(channel.name);
-    for (int y = 0; y < small.height; ++y) {
-      for (int x = 0; x < small.width; ++x) {
-        const int right = std::min(image.width, (x + 1) * reduction),
-                  bottom = std::min(image.height, (y + 1) * reduction);
-        double sum = 0.0;
-        for (int j = y * reduction; j < bottom; ++j) {
-          for (int i = x * reduction; i < right; ++i) {
-            sum += static_cast<double>(
-                channel.samples[static_cast<std::size_t>(j) * static_cast<std::size_t>(image.width) +
-                                static_cast<std::size_t>(i)]);
-          }
-        }
-        samples[static_cast<std::size_t>(y) * static_cast<std::size_t>(small.width) + static_cast<std::size_t>(x)] =
-            static_cast<float>(sum / ((right - x * reduction) * (bottom - y * reduction)));
-      }
-    }
+    squareMeans(image.width, image.height, reduction, std::array{small.add(channel.name).data()},
+                [&](std::size_t pixel) { return std::array{static_cast<double>(channel.samples[pixel])}; });
   }
   return small;
 }
@@ -92,7 +77,7 @@ std::vector<Region> candidates(const SkyScene& scene) {
   std::fill(top.begin(), top.begin() + top.width(), std::uint8_t{1});
   const SkyCut cut(scene);
   std::vector<Region> all(kFloodSteps.size() + 3 * distinct.size());
-  tbb::parallel_for(std::size_t{0}, kFloodSteps.size() + distinct.size(), [&](std::size_t i) {
+  forEach(kFloodSteps.size() + distinct.size(), [&](std::size_t i) {
     if (i < kFloodSteps.size()) {
       all[i] = grownSky(scene, top, kFloodSteps[i] * scene.step);
       return;
@@ -130,7 +115,7 @@ Region coarseSky(const SkyScene& scene) {
   const int width = scene.colours.width(), height = scene.colours.height();
   const std::vector<Region> regions = candidates(scene);
   std::vector<SkyMerit> merits(regions.size());
-  tbb::parallel_for(std::size_t{0}, regions.size(), [&](std::size_t i) { merits[i] = skyMerit(scene, regions[i]); });
+  forEach(regions.size(), [&](std::size_t i) { merits[i] = skyMerit(scene, regions[i]); });
   const std::size_t best = chooseSky(scene, regions, merits);
   Region sky = regions[best];
   const SkyMerit& merit = merits[best];

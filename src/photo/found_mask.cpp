@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "photo/found_mask.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
+#include "parallel/loops.h"
 #include "sky/camera.h"
 
 namespace parhelion {
@@ -30,7 +29,7 @@ void cutBelowHorizon(SkyMask& mask, const CameraSettings& settings) {
   constexpr int kBlock = 8;  // pixels a side, decided as one
   const Camera camera(settings);
   const double lowest = -std::sin(kFarBelow);
-  tbb::parallel_for(0, (mask.height + kBlock - 1) / kBlock, [&](int row) {
+  forEach((mask.height + kBlock - 1) / kBlock, [&](int row) {
     const int top = row * kBlock, bottom = std::min(mask.height, top + kBlock);
     for (int left = 0; left < mask.width; left += kBlock) {
       const int right = std::min(mask.width, left + kBlock);

@@ -3,8 +3,8 @@
 
 #include <array>
 
-#include "photo/raster.h"
 #include "picture/image.h"
+#include "picture/raster.h"
 
 namespace parhelion {
 

@@ -20,7 +20,7 @@ bool sameButForScale(CameraSettings a, const CameraSettings& b) {
   return a == b;
 }
 
-/// Relative. Pixels that differ by less are of one size.
+/// Relative. Pixels that differ by less are of one size: over the largest picture that adds up to less than one.
 constexpr double kSameSize = 1e-6;
 
 double finite(float sample) { return std::isfinite(sample) ? sample : 0.0; }

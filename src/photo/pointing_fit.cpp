@@ -14,9 +14,11 @@
 namespace parhelion {
 namespace {
 
-// Least squares: damping in units of a clue's own weight, steps in radians.
+// Damping of least squares, in units of a clue's own weight: at first little; at least so much that a turn which no
+// clue resists stays finite; beyond the last no step is left that would make the sum smaller.
 constexpr double kFirstDamping = 1e-3, kLeastDamping = 1e-12, kMostDamping = 1e6;
-constexpr double kLastStep = 1e-15;
+constexpr double kMoreDamping = 10.0, kLessDamping = 0.1;  // after a step that made the sum larger, and after others
+constexpr double kLastStep = 1e-15;                        // rad: below it are the digits of the angles themselves
 constexpr int kMaxSteps = 100;
 
 // How much a camera that looks up is preferred to one that stands upright, where clues leave the choice: enough to
@@ -36,11 +38,11 @@ class Solver {
       const Vec3 turn = -(glm::inverse(now.sum.curvature + damping * Mat3(1.0)) * now.sum.slope);
       const PointingFit next = at(turned(now.angles, turn));
       if (!(next.sum.squares <= now.sum.squares)) {
-        damping *= 10.0;
+        damping *= kMoreDamping;
         continue;
       }
       now = next;
-      damping = std::max(kLeastDamping, 0.1 * damping);
+      damping = std::max(kLeastDamping, kLessDamping * damping);
       if (glm::length(turn) < kLastStep) break;
     }
     return now;

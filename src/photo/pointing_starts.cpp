@@ -14,7 +14,8 @@
 namespace parhelion {
 namespace {
 
-// Cosines of solutions at the very border of what is possible, and elevations at the zenith: off by lost digits alone.
+// Cosines of solutions at the very border of what is possible, and elevations (rad) at the zenith: off by lost digits
+// alone.
 constexpr double kRounding = 1e-12;
 
 // Squared sine between two directions below which no plane goes through them that the digits still determine.

@@ -5,8 +5,7 @@
 #include <cmath>
 #include <type_traits>
 
-#include <tbb/parallel_for.h>
-
+#include "parallel/loops.h"
 #include "photo/guided_filter.h"
 #include "picture/transfer.h"
 
@@ -105,7 +104,7 @@ SkyMask refineSky(const Photograph& photograph, const Image& small, const SkyMas
       mask.sky[i] = snapped(filter.at(place(x), place(y), {guide(sample[0]), guide(sample[1]), guide(sample[2])}));
     }
   };
-  std::visit([&](const auto& samples) { tbb::parallel_for(0, mask.height, [&](int y) { refineRow(samples, y); }); },
+  std::visit([&](const auto& samples) { forRows(mask.height, [&](int y) { refineRow(samples, y); }); },
              photograph.samples);
   return mask;
 }

@@ -11,6 +11,8 @@ namespace {
 
 constexpr double kSmallestArea = 0.02;  // of the picture
 constexpr double kThinWeight = 2.0;     // thin lines cost more than their area
+constexpr double kLarger = 1.02;        // times the area of another region: larger than by a few pixels on its border
+constexpr double kSmaller = 0.95;       // times that area: smaller than by these
 constexpr float kThinSteps = 4.0F;      // a line's least difference from both of its sides
 
 // The difference across a border, over two pixels on each side where the first is perhaps a mixture.
@@ -178,10 +180,10 @@ std::size_t chooseSky(const SkyScene& scene, const std::vector<Region>& regions,
     }
   };
   move(kNearlyAsGood, [&](std::size_t i) {
-    return merits[i].area > 1.02 * merits[best].area && noEdgeBetween(divide(scene, regions[best], regions[i]));
+    return merits[i].area > kLarger * merits[best].area && noEdgeBetween(divide(scene, regions[best], regions[i]));
   });
   move(kSmallerAsGood, [&](std::size_t i) {
-    return merits[i].area < 0.95 * merits[best].area && setApart(scene, divide(scene, regions[i], regions[best]));
+    return merits[i].area < kSmaller * merits[best].area && setApart(scene, divide(scene, regions[i], regions[best]));
   });
   return best;
 }

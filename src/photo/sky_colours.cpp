@@ -10,15 +10,16 @@ namespace parhelion {
 
 namespace {
 
-constexpr double kBrightShare = 0.95;    // of the pixels are darker than what counts as bright
-constexpr float kBrightLight = 0.8F;     // what that is exposed to
-constexpr float kLargestLight = 1.2F;    // the sun's surroundings are cut here
-constexpr float kVisibleStep = 0.012F;   // of square roots: 2.4 % of white
-constexpr float kNoiseStep = 2.0F;       // standard deviations of the noise
-constexpr double kQuietShare = 0.25;     // of the pixels have no detail worth speaking of; the noise is theirs
-constexpr double kQuietQuantile = 0.32;  // of a normal deviate's absolute value, at that share
-constexpr int kBoxes = 16;               // along each axis of the histogram
-constexpr float kUnseen = 0.02F;         // pixels that every box has at least
+constexpr double kBrightShare = 0.95;        // of the pixels are darker than what counts as bright
+constexpr float kBrightLight = 0.8F;         // what that is exposed to
+constexpr float kLargestLight = 1.2F;        // the sun's surroundings are cut here
+constexpr float kVisibleStep = 0.012F;       // of square roots: 2.4 % of white
+constexpr float kNoiseStep = 2.0F;           // standard deviations of the noise
+constexpr double kQuietShare = 0.25;         // of the pixels have no detail worth speaking of; the noise is theirs
+constexpr double kQuietQuantile = 0.32;      // of a normal deviate's absolute value, at that share
+constexpr int kBoxes = 16;                   // along each axis of the histogram
+constexpr float kLastBox = kBoxes - 1.001F;  // a little less than its number, so that box + 1 is still one
+constexpr float kUnseen = 0.02F;             // pixels that every box has at least
 
 float exposure(const Image& linear) {
   const auto planes = linear.rgb();
@@ -84,7 +85,7 @@ void eachBox(const Opponent& colour, const F& f) {
   std::array<std::size_t, 3> box{};
   std::array<float, 3> part{};
   for (std::size_t c = 0; c < 3; ++c) {
-    const float inside = std::clamp(place[c], 0.0F, kBoxes - 1.001F);  // box + 1 is still one
+    const float inside = std::clamp(place[c], 0.0F, kLastBox);
     box[c] = static_cast<std::size_t>(inside);
     part[c] = inside - static_cast<float>(box[c]);
   }

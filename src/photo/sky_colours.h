@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "photo/raster.h"
 #include "picture/image.h"
+#include "picture/raster.h"
 
 namespace parhelion {
 

@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <tbb/parallel_for.h>
-
+#include "parallel/loops.h"
 #include "photo/sky_regions.h"
 
 namespace parhelion {
@@ -108,10 +107,10 @@ Raster<float> skyMatte(const SkyScene& scene, Region region, int rounds) {
   Raster<float> matte(region.width(), region.height());
   Region unmixed(region.width(), region.height());
   for (int round = 0; round < rounds; ++round) {
-    tbb::parallel_for(0, region.height(), [&](int y) {
+    forRows(region.height(), [&](int y) {
       for (int x = 0; x < region.width(); ++x) unmixed.at(x, y) = isUnmixed(scene, region, x, y) ? 1 : 0;
     });
-    tbb::parallel_for(0, region.height(), [&](int y) {
+    forRows(region.height(), [&](int y) {
       for (int x = 0; x < region.width(); ++x) {
         const float asLabelled = region.at(x, y) != 0 ? 1.0F : 0.0F;
         matte.at(x, y) = unmixed.at(x, y) != 0 ? asLabelled : skyShare(scene, {region, unmixed}, x, y);

@@ -31,6 +31,17 @@ void flood(std::vector<Pixel>& walk, const Ways& ways, const Enter& enter) {
   }
 }
 
+// For flood(): lets in what is not marked yet and differs little from where the walk comes from.
+auto bySmallSteps(const SkyScene& scene, float largestStep, Region& marked) {
+  return [&, largestStep](const Pixel& from, const Pixel& to) {
+    if (!marked.inside(to.x, to.y) || marked.at(to.x, to.y) != 0) return false;
+    const float square = squaredDistance(scene.colours.at(from.x, from.y), scene.colours.at(to.x, to.y));
+    if (square >= largestStep * largestStep) return false;
+    marked.at(to.x, to.y) = 1;
+    return true;
+  };
+}
+
 }  // namespace
 
 Region withoutIslands(const Region& sky) {
@@ -71,13 +82,7 @@ Region fromUpperBorder(const Region& sky) {
 std::vector<std::vector<Pixel>> landPatches(const SkyScene& scene, const Region& sky, float largestStep) {
   Region seen = sky;
   std::vector<std::vector<Pixel>> patches;
-  const auto enter = [&](const Pixel& from, const Pixel& to) {
-    if (!seen.inside(to.x, to.y) || seen.at(to.x, to.y) != 0) return false;
-    const float square = squaredDistance(scene.colours.at(from.x, from.y), scene.colours.at(to.x, to.y));
-    if (square >= largestStep * largestStep) return false;
-    seen.at(to.x, to.y) = 1;
-    return true;
-  };
+  const auto enter = bySmallSteps(scene, largestStep, seen);
   for (int y = 0; y < sky.height(); ++y) {
     for (int x = 0; x < sky.width(); ++x) {
       if (seen.at(x, y) != 0) continue;
@@ -203,13 +208,7 @@ Region grownSky(const SkyScene& scene, const Region& sky, float largestStep) {
       if (sky.at(x, y) != 0) walk.push_back({x, y});
     }
   }
-  flood(walk, kSides, [&](const Pixel& from, const Pixel& to) {
-    if (!grown.inside(to.x, to.y) || grown.at(to.x, to.y) != 0) return false;
-    const float square = squaredDistance(scene.colours.at(from.x, from.y), scene.colours.at(to.x, to.y));
-    if (square >= largestStep * largestStep) return false;
-    grown.at(to.x, to.y) = 1;
-    return true;
-  });
+  flood(walk, kSides, bySmallSteps(scene, largestStep, grown));
   grown = withoutIslands(grown);
   addSkyInGaps(scene, grown, largestStep);
   return withoutIslands(grown);

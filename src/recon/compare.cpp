@@ -10,6 +10,7 @@
 #include <glm/matrix.hpp>
 
 #include "math/portable.h"
+#include "parallel/loops.h"
 #include "picture/colour_space.h"
 #include "recon/sky_means.h"
 #include "sky/camera.h"

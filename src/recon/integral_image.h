@@ -3,9 +3,13 @@
 
 #include <algorithm>
 
-#include "recon/grid.h"
+#include "parallel/loops.h"
+#include "picture/raster.h"
 
 namespace parhelion {
+
+/// More than the side of any picture (kMaxImageSide), so that a square of this radius is all of it; pixels.
+inline constexpr double kBeyondAnyPicture = 1e5;
 
 /// Sums over squares in constant time. T is std::int64_t (exact, differences even across an overflow) or double.
 template <class T>
@@ -31,7 +35,17 @@ class IntegralImage {
   }
 
  private:
-  Grid<T> sums_;
+  Raster<T> sums_;
 };
+
+/// From a first guess, the nearest radius whose square holds enough while that of the next smaller does not: 0 at
+/// least, `largest` at most. `holdsEnough` says whether a radius does.
+template <class F>
+int smallestRadius(int guess, int largest, const F& holdsEnough) {
+  int radius = guess;
+  while (radius < largest && !holdsEnough(radius)) ++radius;
+  while (radius > 0 && holdsEnough(radius - 1)) --radius;
+  return radius;
+}
 
 }  // namespace parhelion

@@ -4,10 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "parallel/loops.h"
 #include "picture/colour_space.h"
-#include "recon/adaptive/guard_band.h"
-#include "recon/adaptive/kernel_field.h"
+#include "recon/full_turn.h"
 #include "recon/integral_image.h"
+#include "recon/kernel_variance.h"
 #include "sky/camera.h"
 #include "sky/radiance.h"
 
@@ -83,7 +84,7 @@ HitMap SkyLight::hitMap() const {
   const int width = tally_.width(), height = tally_.height();
   HitMap map;
   map.omega = {width, height};
-  map.lights.assign(tally_.colours() == 1 ? 2 : 4, Grid<double>(width, height));
+  map.lights.assign(tally_.colours() == 1 ? 2 : 4, Raster<double>(width, height));
   map.wrapX = isFullTurn(tally_.info.camera);
   forRows(height, [&](int y) {
     for (int x = 0; x < width; ++x) {
@@ -101,7 +102,7 @@ HitMap SkyLight::hitMap() const {
   return map;
 }
 
-Image SkyLight::develop(const std::vector<Grid<double>>& lights) const {
+Image SkyLight::develop(const std::vector<Raster<double>>& lights) const {
   const Mat3 toRgb = xyzToRec709(tally_.info.white);
   FilteredLight light;
   light.luminance = [&](std::size_t i) { return lights[0][i]; };
@@ -119,6 +120,8 @@ Image developed(int width, int height, const FilteredLight& light, double scale)
   Image image = emptyRadiance(width, height);
   const RelativeVariance variance(width, height, light);
   constexpr double kHitsPerWindow = 90.0;  // under a kernel as wide as the window's standard deviation
+  constexpr double kRadius = 2.0;          // of a window, standard deviations of that kernel
+  constexpr double kLeastRadius = 4.0;     // pixels
   forRows(height, [&](int y) {
     for (int x = 0; x < width; ++x) {
       const std::size_t i = static_cast<std::size_t>(y) * width + x;
@@ -128,7 +131,7 @@ Image developed(int width, int height, const FilteredLight& light, double scale)
       if (luminance == 0.0) continue;
       const float hits = static_cast<float>(std::max(light.hitsPerPixel(i), 0.0));
       const double sigma = std::sqrt(static_cast<double>(kernelVariance(kHitsPerWindow, hits)));
-      const int radius = static_cast<int>(std::clamp(2.0 * sigma, 4.0, 1e5));
+      const int radius = static_cast<int>(std::clamp(kRadius * sigma, kLeastRadius, kBeyondAnyPicture));
       const double relative = std::max(variance.at(x, y, radius), 1.0 / light.hits);
       image.channels[3].samples[i] = static_cast<float>(luminance * luminance * relative);
     }

@@ -40,7 +40,7 @@ class SkyLight {
   HitMap hitMap() const;
 
   /// The image of filtered light. `lights` has the same kinds, in effective hits per relative solid angle.
-  Image develop(const std::vector<Grid<double>>& lights) const;
+  Image develop(const std::vector<Raster<double>>& lights) const;
 
  private:
   const Tally& tally_;

@@ -7,12 +7,13 @@
 #include <vector>
 
 #include "math/portable.h"
-#include "recon/grid.h"
+#include "parallel/loops.h"
+#include "picture/raster.h"
 #include "sky/camera.h"
 
 namespace parhelion {
 
-using Plane = Grid<double>;
+using Plane = Raster<double>;
 
 /// Means over the sky by solid angle.
 struct SkyMeans {
@@ -40,8 +41,10 @@ struct SkyMeans {
 
 /// Means under a Gaussian, weighted by solid angle, so that what lies outside the sky does not count.
 class SkySmoother {
+  static constexpr double kReach = 3.3;  // standard deviations: a thousandth of a Gaussian is beyond
+
  public:
-  SkySmoother(const SkyMeans& sky, double sigma) : sky_(sky), reach_(static_cast<int>(std::ceil(3.3 * sigma))) {
+  SkySmoother(const SkyMeans& sky, double sigma) : sky_(sky), reach_(static_cast<int>(std::ceil(kReach * sigma))) {
     for (int k = -reach_; k <= reach_; ++k) taps_.push_back(portable::exp(-0.5 * k * k / (sigma * sigma)));
     weight_ = blurred([](std::size_t) { return 1.0; });
   }

@@ -6,11 +6,10 @@
 #include <cmath>
 #include <stdexcept>
 
-#include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/global_control.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
+
+#include "parallel/loops.h"
+#include "parallel/threads.h"
 
 namespace parhelion {
 
@@ -32,12 +31,7 @@ TraceReport traceRays(const Cloud& cloud, const TraceSettings& settings, std::ui
   const std::uint64_t bundleSize = cloud.bundleSize();
   if (firstRay % bundleSize != 0) throw std::invalid_argument("a run must start with the first ray of a bundle");
   const Engines engines = makeEngines(cloud, settings.engine);
-  // TBB keeps to the number of processors unless it is told that more threads are wanted.
-  // Beyond four a processor they would only get into each other's way.
-  const int processors = tbb::this_task_arena::max_concurrency();
-  const int threads = control.threads > 0 ? std::min(control.threads, 4 * processors) : processors;
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-  tbb::task_arena arena(threads);
+  Threads threads(control.threads);
   const LaneSteps& steps = laneSteps(control.simd);
   tbb::enumerable_thread_specific<Worker> workers([&] {
     return Worker{tally.forThread(), std::make_unique<Wave>(cloud, engines, settings, steps)};
@@ -54,13 +48,11 @@ TraceReport traceRays(const Cloud& cloud, const TraceSettings& settings, std::ui
   while (next < wholeBundles && !report.interrupted) {
     const std::uint64_t end = std::min(next + kBatch * waveSize, wholeBundles);
     const std::uint64_t waves = (end - next + waveSize - 1) / waveSize;
-    arena.execute([&] {
-      tbb::parallel_for(tbb::blocked_range<std::uint64_t>(0, waves, 1), [&](const auto& block) {
+    threads.run([&] {
+      forEach(waves, [&](std::uint64_t k) {
         Worker& worker = workers.local();
-        for (std::uint64_t k = block.begin(); k < block.end(); ++k) {
-          const std::uint64_t first = next + k * waveSize, count = std::min(waveSize, end - first);
-          worker.wave->trace(first, static_cast<int>(count), static_cast<int>(bundleSize), *worker.tally);
-        }
+        const std::uint64_t first = next + k * waveSize, count = std::min(waveSize, end - first);
+        worker.wave->trace(first, static_cast<int>(count), static_cast<int>(bundleSize), *worker.tally);
       });
     });
     next = end;

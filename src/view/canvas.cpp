@@ -51,6 +51,14 @@ std::size_t sequenceLength(std::string_view text) {
   return length;
 }
 
+/// The size of letters for what follows, and its measures.
+cairo_font_extents_t fontOf(cairo_t* context, double size) {
+  cairo_set_font_size(context, size);
+  cairo_font_extents_t font;
+  cairo_font_extents(context, &font);
+  return font;
+}
+
 /// What cairo can write: it stops drawing for good at the first invalid byte.
 std::string writable(std::string_view text) {
   std::string result;
@@ -112,9 +120,7 @@ void Canvas::disc(const Vec2& centre, double radius, const Colour& colour) {
 
 Box Canvas::textBox(std::string_view text, double size) const {
   cairo_t* context = context_.get();
-  cairo_set_font_size(context, size);
-  cairo_font_extents_t font;
-  cairo_font_extents(context, &font);
+  const cairo_font_extents_t font = fontOf(context, size);
   cairo_text_extents_t extents;
   cairo_text_extents(context, writable(text).c_str(), &extents);
   return {Vec2(0.0), Vec2(extents.x_advance, font.ascent + font.descent)};
@@ -122,9 +128,7 @@ Box Canvas::textBox(std::string_view text, double size) const {
 
 void Canvas::text(std::string_view text, const Vec2& place, double size, const Colour& colour, const Colour& outline) {
   cairo_t* context = context_.get();
-  cairo_set_font_size(context, size);
-  cairo_font_extents_t font;
-  cairo_font_extents(context, &font);
+  const cairo_font_extents_t font = fontOf(context, size);
   cairo_new_path(context);
   cairo_move_to(context, place.x, place.y + font.ascent);
   cairo_text_path(context, writable(text).c_str());

@@ -17,6 +17,7 @@ namespace parhelion {
 namespace {
 
 constexpr double kFinestGrid = radians(0.1);
+constexpr double kRounding = 1e-9;  // relative, of a step that was once in degrees
 
 // Letters take this share of the picture's shorter side, and are never smaller than can be read, pixels.
 constexpr double kLetterShare = 1.0 / 50.0;
@@ -58,7 +59,7 @@ Colour shadowOf(const Colour& c) {
 }
 
 void validate(const OverlaySettings& s) {
-  if (s.gridStep != 0.0 && !(s.gridStep >= kFinestGrid * (1.0 - 1e-9) && s.gridStep <= kPi))
+  if (s.gridStep != 0.0 && !(s.gridStep >= kFinestGrid * (1.0 - kRounding) && s.gridStep <= kPi))
     throw std::invalid_argument("overlay: grid lines are from 0.1 to 180 degrees apart");
   for (const double radius : s.circles)
     if (!(radius > 0.0 && radius < kPi))

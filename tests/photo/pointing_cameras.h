@@ -57,6 +57,14 @@ class Draw {
     return lens;
   }
 
+  /// Turned from the sun's azimuth, the horizon and upright by at most these angles.
+  CameraSettings turned(CameraSettings lens, double azimuth, double elevation, double roll) {
+    lens.azimuth = from(-azimuth, azimuth);
+    lens.elevation = from(-elevation, elevation);
+    lens.roll = from(-roll, roll);
+    return lens;
+  }
+
   /// A direction the lens sees, inside the frame or outside.
   Vec3 seen(const Camera& camera, double reach) {
     const CameraSettings& s = camera.settings();

@@ -8,19 +8,14 @@
 #include "photo/halo_camera.h"
 #include "photo/halo_lookup.h"
 #include "sky/camera.h"
+#include "sky/look_at.h"
 
 using namespace parhelion;
 
 namespace {
 
 CameraSettings camera(Projection projection, double fieldOfView, int width, int height) {
-  CameraSettings settings;
-  settings.projection = projection;
-  settings.fieldOfView = radians(fieldOfView);
-  settings.elevation = 0.0;
-  settings.width = width;
-  settings.height = height;
-  return settings;
+  return test::lookAt(projection, 0.0, 0.0, 0.0, fieldOfView, width, height);
 }
 
 /// A smooth light of the sky, waves a few degrees long.

@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "error_text.h"
 #include "math/rotation.h"
 #include "photo/lens_from_exif.h"
 #include "sky/camera.h"
@@ -49,15 +50,8 @@ double focalOf(const Exif& exif, int width, int height) {
 
 /// What the refusal says; empty where there is none.
 std::string refusal(const Exif& exif) {
-  try {
-    lensFromExif(exif, 3600, 2400);
-  } catch (const std::invalid_argument& e) {
-    return e.what();
-  }
-  return {};
+  return errorOf<std::invalid_argument>([&] { lensFromExif(exif, 3600, 2400); });
 }
-
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 }  // namespace
 

@@ -74,10 +74,7 @@ TEST_CASE("one direction and the roll give back the camera or one nearer to the 
 TEST_CASE("a camera near the horizon is given back by the sun and its roll") {
   Draw draw(3);
   for (int trial = 0; trial < 100; ++trial) {
-    CameraSettings truth = landscape();
-    truth.azimuth = draw.from(-1.0, 1.0);
-    truth.elevation = draw.from(-0.3, 0.3);
-    truth.roll = draw.from(-0.2, 0.2);
+    const CameraSettings truth = draw.turned(landscape(), 1.0, 0.3, 0.2);
     const Vec3 sun = skyDirection(0.0, draw.from(0.0, 0.5));
     const Pointing found =
         findPointing(landscape(), std::vector{clueOf(Camera(truth), sun, Tells::direction)}, truth.roll);
@@ -142,10 +139,7 @@ TEST_CASE("a direction and the azimuth of another give a camera that sees both w
 TEST_CASE("two points of the horizon and the sun give back the camera with and without the sun's elevation") {
   Draw draw(5);
   for (int trial = 0; trial < 100; ++trial) {
-    CameraSettings truth = landscape();
-    truth.azimuth = draw.from(-0.9, 0.9);
-    truth.elevation = draw.from(-0.3, 0.3);
-    truth.roll = draw.from(-0.4, 0.4);
+    const CameraSettings truth = draw.turned(landscape(), 0.9, 0.3, 0.4);
     const Camera camera(truth);
     const Vec3 sun = skyDirection(0.0, draw.from(0.0, 0.8));
     const Vec3 left = skyDirection(truth.azimuth - 0.4, 0.0), right = skyDirection(truth.azimuth + 0.3, 0.0);

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "error_text.h"
 #include "pointing_cameras.h"
 
 namespace parhelion {
@@ -16,15 +17,8 @@ namespace {
 /// What a refused call says; empty if it is not refused.
 std::string refusal(const CameraSettings& lens, const std::vector<PointingClue>& clues,
                     std::optional<double> roll = std::nullopt) {
-  try {
-    findPointing(lens, clues, roll);
-  } catch (const std::invalid_argument& e) {
-    return e.what();
-  }
-  return {};
+  return errorOf<std::invalid_argument>([&] { findPointing(lens, clues, roll); });
 }
-
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 }  // namespace
 

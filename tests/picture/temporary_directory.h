@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "error_text.h"
+
 namespace parhelion {
 
 /// A directory that goes away with its test.
@@ -26,6 +28,7 @@ class TemporaryDirectory {
   TemporaryDirectory& operator=(const TemporaryDirectory&) = delete;
 
   std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+  const std::filesystem::path& path() const { return path_; }
 
   /// Names of all files in it.
   std::vector<std::string> names() const {
@@ -46,17 +49,6 @@ inline std::string contents(const std::filesystem::path& path) {
 
 inline void put(const std::filesystem::path& path, const std::string& text) {
   std::ofstream(path, std::ios::binary) << text;
-}
-
-/// The message of the std::runtime_error that `work` throws, "" if none.
-template <typename Work>
-std::string errorOf(Work work) {
-  try {
-    work();
-  } catch (const std::runtime_error& e) {
-    return e.what();
-  }
-  return {};
 }
 
 }  // namespace parhelion

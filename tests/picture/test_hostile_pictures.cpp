@@ -83,31 +83,26 @@ std::string soundExr(const TemporaryDirectory& directory) {
   return contents(directory / "sound.exr");
 }
 
+/// The bytes of a picture are refused when they are cut short at any percent or by their last, and only then.
+void checkCuts(const std::filesystem::path& path, const std::string& whole) {
+  for (std::size_t percent = 0; percent < 100; ++percent) {
+    CAPTURE(percent);
+    CHECK(reasonOf(path, whole.substr(0, whole.size() * percent / 100)) != "");
+  }
+  CHECK(reasonOf(path, whole.substr(0, whole.size() - 1)) != "");
+  CHECK(reasonOf(path, whole) == "");
+}
+
 }  // namespace
 
 TEST_CASE("a JPEG cut short at every percent is refused in one line") {
   const TemporaryDirectory directory;
-  for (const int flags : {0, TJFLAG_PROGRESSIVE}) {
-    const std::string whole = soundJpeg(flags);
-    for (std::size_t percent = 0; percent < 100; ++percent) {
-      CAPTURE(percent);
-      CHECK(reasonOf(directory / "cut.jpg", whole.substr(0, whole.size() * percent / 100)) != "");
-    }
-    CHECK(reasonOf(directory / "cut.jpg", whole.substr(0, whole.size() - 1)) != "");
-    CHECK(reasonOf(directory / "cut.jpg", whole) == "");
-  }
+  for (const int flags : {0, TJFLAG_PROGRESSIVE}) checkCuts(directory / "cut.jpg", soundJpeg(flags));
 }
 
 TEST_CASE("a PNG and an EXR cut short at every percent are refused in one line") {
   const TemporaryDirectory directory;
-  for (const std::string& whole : {soundPng(), soundExr(directory)}) {
-    for (std::size_t percent = 0; percent < 100; ++percent) {
-      CAPTURE(percent);
-      CHECK(reasonOf(directory / "cut", whole.substr(0, whole.size() * percent / 100)) != "");
-    }
-    CHECK(reasonOf(directory / "cut", whole.substr(0, whole.size() - 1)) != "");
-    CHECK(reasonOf(directory / "cut", whole) == "");
-  }
+  for (const std::string& whole : {soundPng(), soundExr(directory)}) checkCuts(directory / "cut", whole);
 }
 
 TEST_CASE("pictures damaged anywhere end in an error or a picture, never in a crash") {

@@ -12,6 +12,7 @@
 
 #include "math/conventions.h"
 #include "math/portable.h"
+#include "parallel/loops.h"
 #include "random_stream.h"
 #include "recon/published/act.h"
 #include "recon/published/allebach.h"
@@ -21,12 +22,12 @@ namespace parhelion {
 
 /// A real field with normal coefficients of all waves up to 1/(2 period): round a torus of 128 pixels and for a period
 /// of 8 pixels 197 of them, of degree 8.
-inline Grid<double> trigonometricField(int width, int height, double period, std::uint64_t seed) {
+inline Raster<double> trigonometricField(int width, int height, double period, std::uint64_t seed) {
   RandomStream random(seed, 0, RandomPurpose::path);
   const auto normal = [&] {
     return std::sqrt(-2.0 * portable::log(random.next())) * portable::cos(2.0 * kPi * random.next());
   };
-  Grid<double> field(width, height);
+  Raster<double> field(width, height);
   for (int ky = 0; ky <= height / 2; ++ky) {
     for (int kx = ky == 0 ? 0 : -width / 2; kx <= width / 2; ++kx) {
       const double fx = static_cast<double>(kx) / width, fy = static_cast<double>(ky) / height;
@@ -47,8 +48,8 @@ inline Grid<double> trigonometricField(int width, int height, double period, std
 template <class Known>
 HitMap sampledTorus(int width, int height, std::uint64_t seed, const Known& known) {
   HitMap map;
-  map.omega = Grid<double>(width, height, 1.0);
-  map.lights.assign(1, Grid<double>(width, height));
+  map.omega = Raster<double>(width, height, 1.0);
+  map.lights.assign(1, Raster<double>(width, height));
   map.wrapX = map.wrapY = true;
   RandomStream random(seed, 1, RandomPurpose::path);
   for (int y = 0; y < height; ++y) {
@@ -58,7 +59,7 @@ HitMap sampledTorus(int width, int height, std::uint64_t seed, const Known& know
 }
 
 /// The values of a field at the hits of a torus, each standing for its cell.
-inline KnownValues samplesOf(const Grid<double>& field, const HitMap& map, const NearestHits& nearest) {
+inline KnownValues samplesOf(const Raster<double>& field, const HitMap& map, const NearestHits& nearest) {
   KnownValues known = voronoiCells(map, nearest, HitReading::intensities);
   for (std::size_t i = 0; i < known.pixels.size(); ++i) known.lights[0][i] = field[known.pixels[i]];
   return known;
@@ -80,7 +81,7 @@ inline double largestGap(const HitMap& map, const NearestHits& nearest) {
 }
 
 /// Root mean square of a - b relative to that of b.
-inline double relativeError(const Grid<double>& a, const Grid<double>& b) {
+inline double relativeError(const Raster<double>& a, const Raster<double>& b) {
   double error = 0.0, size = 0.0;
   for (std::size_t i = 0; i < a.size(); ++i) {
     error += (a[i] - b[i]) * (a[i] - b[i]);
@@ -92,14 +93,14 @@ inline double relativeError(const Grid<double>& a, const Grid<double>& b) {
 /// One field, known at some pixels, and its recovery after `steps` steps (the first low-pass is one).
 struct Recovery {
   double period;
-  Grid<double> field;
+  Raster<double> field;
   HitMap map;
   NearestHits nearest;
   KnownValues known;
   LowPass filter;
 
   /// For an ideal low-pass of that period, which should be the field's own.
-  Recovery(Grid<double> values, HitMap torus, double lowPassPeriod)
+  Recovery(Raster<double> values, HitMap torus, double lowPassPeriod)
       : period(lowPassPeriod),
         field(std::move(values)),
         map(std::move(torus)),
@@ -111,7 +112,7 @@ struct Recovery {
 
   Reconstruction marvasti(int steps, double relaxation) const {
     const auto zeroFilled = [&](const std::vector<std::vector<double>>& values) {
-      std::vector<Grid<double>> picture(1, Grid<double>(map.width(), map.height()));
+      std::vector<Raster<double>> picture(1, Raster<double>(map.width(), map.height()));
       for (std::size_t i = 0; i < known.pixels.size(); ++i) picture[0][known.pixels[i]] = values[0][i];
       return filter(picture);
     };

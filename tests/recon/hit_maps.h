@@ -25,8 +25,8 @@ using MethodOnMap = std::function<Reconstruction(const HitMap&)>;
 /// A sky of equal pixels without hits.
 inline HitMap emptySky(int width, int height, bool wrap = false) {
   HitMap map;
-  map.omega = Grid<double>(width, height, 1.0);
-  map.lights.assign(1, Grid<double>(width, height));
+  map.omega = Raster<double>(width, height, 1.0);
+  map.lights.assign(1, Raster<double>(width, height));
   map.wrapX = map.wrapY = wrap;
   return map;
 }
@@ -65,7 +65,7 @@ inline HitMap poissonHits(HitMap map, double density, std::uint64_t seed) {
 }
 
 /// The light of a picture, or of a density per relative solid angle.
-inline double sumOf(const Grid<double>& light) {
+inline double sumOf(const Raster<double>& light) {
   double sum = 0.0;
   for (std::size_t i = 0; i < light.size(); ++i) sum += light[i];
   return sum;
@@ -82,19 +82,19 @@ inline double gain(const MethodOnMap& method, const HitMap& map) {
   return lightOf(method(map), map) / sumOf(map.hits());
 }
 
-inline double least(const Grid<double>& light) {
+inline double least(const Raster<double>& light) {
   double value = light[0];
   for (std::size_t i = 0; i < light.size(); ++i) value = std::min(value, light[i]);
   return value;
 }
 
-inline double greatest(const Grid<double>& light) {
+inline double greatest(const Raster<double>& light) {
   double value = light[0];
   for (std::size_t i = 0; i < light.size(); ++i) value = std::max(value, light[i]);
   return value;
 }
 
-inline bool allFinite(const Grid<double>& light) {
+inline bool allFinite(const Raster<double>& light) {
   bool finite = true;
   for (std::size_t i = 0; i < light.size(); ++i) finite = finite && std::isfinite(light[i]);
   return finite;
@@ -129,7 +129,7 @@ inline void checkAwkwardMaps(const MethodOnMap& method) {
   for (const HitMap& nothing : {emptySky(32, 24), emptyDisc(32, true)}) CHECK(sumOf(method(nothing).lights[0]) == 0.0);
 
   HitMap noSky = emptySky(16, 16);
-  noSky.omega = Grid<double>(16, 16);
+  noSky.omega = Raster<double>(16, 16);
   CHECK(sumOf(method(noSky).lights[0]) == 0.0);
 
   HitMap oneHit = emptySky(256, 256);

@@ -20,7 +20,7 @@ inline constexpr KernelFlow kFlows[] = {KernelFlow::scatter, KernelFlow::gather}
 /// A picture full of sky with density(x, y) hits in pixel (x, y).
 template <class Density>
 HitMap hitMap(int width, int height, const Density& density) {
-  HitMap map{{Grid<double>(width, height)}, Grid<double>(width, height, 1.0)};
+  HitMap map{{Raster<double>(width, height)}, Raster<double>(width, height, 1.0)};
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) map.lights[0].at(x, y) = density(x, y);
   }
@@ -66,25 +66,25 @@ inline GonzatoMarchandSettings withSamples(std::optional<double> samples, Kernel
 }
 
 /// The first light of the picture, in hits per relative solid angle.
-inline Grid<double> picture(const HitMap& map, const GonzatoMarchandSettings& settings) {
+inline Raster<double> picture(const HitMap& map, const GonzatoMarchandSettings& settings) {
   return reconstructHits(map, settings, {}).lights.front();
 }
 
-inline double total(const Grid<double>& grid) {
+inline double total(const Raster<double>& grid) {
   double sum = 0.0;
   for (std::size_t i = 0; i < grid.size(); ++i) sum += grid[i];
   return sum;
 }
 
 /// Light in a picture over the hits it was made of, less 1.
-inline double energyError(const HitMap& map, const Grid<double>& light) {
+inline double energyError(const HitMap& map, const Raster<double>& light) {
   double sum = 0.0;
   for (std::size_t i = 0; i < light.size(); ++i) sum += light[i] * map.omega[i];
   return sum / total(map.hits()) - 1.0;
 }
 
 /// Largest deviation from 1 in the sky.
-inline double unevenness(const HitMap& map, const Grid<double>& light) {
+inline double unevenness(const HitMap& map, const Raster<double>& light) {
   double worst = 0.0;
   for (std::size_t i = 0; i < light.size(); ++i) {
     if (map.omega[i] > 0.0) worst = std::max(worst, std::abs(light[i] - 1.0));
@@ -96,7 +96,7 @@ inline double unevenness(const HitMap& map, const Grid<double>& light) {
 struct ColumnRange {
   double mean = 0.0, least = 1e300, greatest = -1e300;
 };
-inline ColumnRange columns(const Grid<double>& grid, int from, int to) {
+inline ColumnRange columns(const Raster<double>& grid, int from, int to) {
   ColumnRange range;
   for (int y = 0; y < grid.height(); ++y) {
     for (int x = from; x < to; ++x) {
@@ -110,13 +110,13 @@ inline ColumnRange columns(const Grid<double>& grid, int from, int to) {
 }
 
 /// Root mean square of a - b.
-inline double rmsDifference(const Grid<double>& a, const Grid<double>& b) {
+inline double rmsDifference(const Raster<double>& a, const Raster<double>& b) {
   double sum = 0.0;
   for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
   return std::sqrt(sum / static_cast<double>(a.size()));
 }
 
-inline bool sameBits(const Grid<double>& a, const Grid<double>& b) {
+inline bool sameBits(const Raster<double>& a, const Raster<double>& b) {
   bool same = a.size() == b.size();
   for (std::size_t i = 0; same && i < a.size(); ++i) same = a[i] == b[i];
   return same;

@@ -13,7 +13,7 @@ MethodOnMap actWith(const ActSettings& settings) {
 }
 
 /// A picture known at some of its pixels, as a map of intensities.
-HitMap knownAt(HitMap map, const Grid<double>& picture, double share, std::uint64_t seed) {
+HitMap knownAt(HitMap map, const Raster<double>& picture, double share, std::uint64_t seed) {
   RandomStream random(seed, 2, RandomPurpose::path);
   for (std::size_t i = 0; i < map.omega.size(); ++i) {
     map.lights[0][i] = random.next() < share ? picture[i] * map.omega[i] : 0.0;
@@ -22,8 +22,8 @@ HitMap knownAt(HitMap map, const Grid<double>& picture, double share, std::uint6
 }
 
 /// A positive field of degree 8 on a torus of 128 x 96 pixels.
-Grid<double> positiveField() {
-  Grid<double> field = trigonometricField(128, 96, 8.0, 31);
+Raster<double> positiveField() {
+  Raster<double> field = trigonometricField(128, 96, 8.0, 31);
   const double lowest = least(field);
   for (std::size_t i = 0; i < field.size(); ++i) field[i] += 1.0 - lowest;
   return field;
@@ -32,7 +32,7 @@ Grid<double> positiveField() {
 }  // namespace
 
 TEST_CASE("ACT finds a band-limited picture from 15 % of its intensities, whatever the pixels' solid angles") {
-  const Grid<double> field = positiveField();
+  const Raster<double> field = positiveField();
   HitMap torus = emptySky(128, 96, true);
   for (int y = 0; y < 96; ++y) {
     for (int x = 0; x < 128; ++x) torus.omega.at(x, y) = 0.5 + 0.01 * y;
@@ -44,14 +44,14 @@ TEST_CASE("ACT finds a band-limited picture from 15 % of its intensities, whatev
 
 TEST_CASE("the small grid of ACT's normal equations is exact: a finer polynomial fits as well") {
   // Period 6 px asks for waves the field does not have, on other grids.
-  const Grid<double> field = positiveField();
+  const Raster<double> field = positiveField();
   const HitMap map = knownAt(emptySky(128, 96, true), field, 0.3, 33);
   CHECK(relativeError(reconstructHits(map, ActSettings{HitReading::intensities, 6.0, 60}, {}).lights[0], field) < 1e-6);
 }
 
 TEST_CASE("edges that do not touch need not agree in ACT") {
   const HitMap open = emptySky(128, 1), closed = emptySky(128, 1, true);
-  Grid<double> ramp(128, 1);
+  Raster<double> ramp(128, 1);
   for (int x = 0; x < 128; ++x) ramp.at(x, 0) = 1.0 + x / 128.0;
   const auto error = [&](const HitMap& sky) {
     return relativeError(

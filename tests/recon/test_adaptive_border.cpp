@@ -55,7 +55,7 @@ Spot spotIn(int width, int height, double fieldOfView) {
 /// Light of the filtered picture over that of its hits, before anything is rescaled.
 double keptLight(const Tally& tally) {
   const SkyPyramid sky(tally.width(), tally.height(), Camera(tally.info.camera).solidAngles());
-  Grid<Light<2>> light(sky.width(), sky.height());
+  Raster<Light<2>> light(sky.width(), sky.height());
   double given = 0.0, kept = 0.0;
   for (std::size_t i = 0; i < light.size(); ++i) {
     const int pixel = static_cast<int>(i);

@@ -20,14 +20,14 @@ template <class Density>
 Shapes meanShape(const Density& density, double hits) {
   const Tally tally = poissonTally(fullSky(kSide), density, 11);
   const SkyPyramid sky(kSide, kSide, Camera(tally.info.camera).solidAngles());
-  Grid<Light<1>> light(kSide, kSide);
-  Grid<KernelSite> sites(kSide, kSide);
+  Raster<Light<1>> light(kSide, kSide);
+  Raster<KernelSite> sites(kSide, kSide);
   for (std::size_t i = 0; i < light.size(); ++i) {
     light[i] = {static_cast<float>(tally.luminance(static_cast<int>(i)))};
     sites[i].density = static_cast<float>(density(static_cast<int>(i) % kSide, static_cast<int>(i) / kSide));
   }
-  const Grid<Light<1>> pilot = scatter<1>(sky, KernelField(sky, sites), light, hits);
-  const Grid<KernelShape> shapes = kernelShapes(sky, pilot, hits);
+  const Raster<Light<1>> pilot = scatter<1>(sky, KernelField(sky, sites), light, hits);
+  const Raster<KernelShape> shapes = kernelShapes(sky, pilot, hits);
   Shapes mean;
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     mean.aspect += static_cast<double>(shapes[i].aspect()) / static_cast<double>(shapes.size());

@@ -5,9 +5,9 @@
 
 #include <glm/matrix.hpp>
 
+#include "parallel/threads.h"
 #include "picture/colour_space.h"
 #include "recon/compare.h"
-#include "recon/threads.h"
 #include "synthetic_tally.h"
 
 namespace parhelion {

@@ -84,7 +84,7 @@ TEST_CASE("default filter sizes scale with the picture and shrink with the hits"
 TEST_CASE("a Fourier transform of any size is undone by its inverse and knows a wave's frequency") {
   for (const int width : {1, 30, 49, 64, 77}) {
     const int height = 21;
-    Grid<std::complex<double>> values(width, height);
+    Raster<std::complex<double>> values(width, height);
     const int kx = width / 3;
     for (int y = 0; y < height; ++y) {
       for (int x = 0; x < width; ++x) {
@@ -120,18 +120,18 @@ TEST_CASE("the ideal low-pass of period 8 px passes 197 waves of a torus of 128 
   CHECK(passed == 197);
 
   // An impulse holds all waves alike, and keeps the share that passes.
-  Grid<double> impulse(128, 128);
+  Raster<double> impulse(128, 128);
   impulse.at(3, 7) = 1.0;
-  const Grid<double> filtered = idealLowPass(128, 128, 8.0)({impulse})[0];
+  const Raster<double> filtered = idealLowPass(128, 128, 8.0)({impulse})[0];
   CHECK(filtered.at(3, 7) == doctest::Approx(197.0 / (128.0 * 128.0)));
 }
 
 TEST_CASE("the windowed sinc has unit gain, is positive and ends after one period") {
   constexpr double kPeriod = 6.0;
-  Grid<double> impulse(64, 48);
+  Raster<double> impulse(64, 48);
   impulse.at(2, 20) = 1.0;
   for (const bool wrap : {false, true}) {
-    const Grid<double> filtered = sincLowPass(64, 48, kPeriod, wrap, wrap)({impulse})[0];
+    const Raster<double> filtered = sincLowPass(64, 48, kPeriod, wrap, wrap)({impulse})[0];
     double sum = 0.0;
     for (int y = 0; y < 48; ++y) {
       for (int x = 0; x < 64; ++x) {

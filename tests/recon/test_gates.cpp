@@ -14,8 +14,8 @@ TEST_CASE("a few pixels whose density was misjudged do not decide how large the 
   const SkyPyramid sky(kSide, kSide, std::vector<double>(kSide * kSide, 1e-4));
   KernelSite even;
   even.density = 1.0F;
-  const KernelField field(sky, Grid<KernelSite>(kSide, kSide, even));
-  Grid<Light<2>> wide(kSide, kSide, {1.0F, 0.0F}), narrow = wide;
+  const KernelField field(sky, Raster<KernelSite>(kSide, kSide, even));
+  Raster<Light<2>> wide(kSide, kSide, {1.0F, 0.0F}), narrow = wide;
   RandomStream random(1, 0, RandomPurpose::path);
   for (std::size_t i = 0; i < narrow.size(); ++i) narrow[i][1] = static_cast<float>(0.2 * (random.next() - 0.5));
   const double ratio = compareSizes<2>(sky, field, wide, narrow, 16.0).noiseRatio;

@@ -35,7 +35,7 @@ TEST_CASE("an even sky is even up to its border, and as bright as its hits") {
   for (const HitMap& map : {square, inDisc(square)}) {
     for (const KernelFlow flow : kFlows) {
       for (const double samples : {9.0, 25.0, 100.0, 1000.0, 2000.0}) {
-        const Grid<double> light = picture(map, withSamples(samples, flow));
+        const Raster<double> light = picture(map, withSamples(samples, flow));
         CAPTURE(samples);
         CHECK(unevenness(map, light) < 1e-3);
         CHECK(std::abs(energyError(map, light)) < 1e-6);
@@ -61,7 +61,7 @@ TEST_CASE("the border does not change what is filtered far from it") {
   const HitMap small = hitMap(128, 128, [&](int x, int y) { return density(x - 64, y - 64); });
   const HitMap large = hitMap(192, 192, [&](int x, int y) { return density(x - 96, y - 96); });
   for (const KernelFlow flow : kFlows) {
-    const Grid<double> cut = picture(small, withSamples(64.0, flow)), whole = picture(large, withSamples(64.0, flow));
+    const Raster<double> cut = picture(small, withSamples(64.0, flow)), whole = picture(large, withSamples(64.0, flow));
     for (int y = 32; y < 96; ++y) {
       for (int x = 32; x < 96; ++x) REQUIRE(cut.at(x, y) == doctest::Approx(whole.at(x + 32, y + 32)).epsilon(1e-12));
     }
@@ -90,7 +90,7 @@ TEST_CASE("all kinds of light go through the same filter, chosen by the first") 
   for (std::size_t i = 0; i < map.lights[1].size(); ++i) map.lights[1][i] *= -0.25;
   for (const KernelFlow flow : kFlows) {
     for (const int iterations : {0, 2}) {
-      const std::vector<Grid<double>> lights = reconstructHits(map, withSamples(40.0, flow, iterations), {}).lights;
+      const std::vector<Raster<double>> lights = reconstructHits(map, withSamples(40.0, flow, iterations), {}).lights;
       REQUIRE(lights.size() == 2);
       for (std::size_t i = 0; i < lights[0].size(); ++i) REQUIRE(lights[1][i] == -0.25 * lights[0][i]);
     }
@@ -104,7 +104,7 @@ TEST_CASE("a torus has no border: moved hits give the moved picture") {
   }
   map.wrapX = map.wrapY = moved.wrapX = moved.wrapY = true;
   for (const KernelFlow flow : kFlows) {
-    const Grid<double> a = picture(map, withSamples(60.0, flow)), b = picture(moved, withSamples(60.0, flow));
+    const Raster<double> a = picture(map, withSamples(60.0, flow)), b = picture(moved, withSamples(60.0, flow));
     for (int y = 0; y < 128; ++y) {
       for (int x = 0; x < 128; ++x) {
         REQUIRE(b.at((x + 77) % 128, (y + 50) % 128) == doctest::Approx(a.at(x, y)).epsilon(1e-12));
@@ -117,7 +117,7 @@ TEST_CASE("a signal is a picture one pixel high: a step stays a step and a bump 
   const HitMap signal = hitMap(512, 1, [](int x, int) { return stepAndBump(x); });
   const HitMap upright = hitMap(1, 512, [](int, int y) { return stepAndBump(y); });
   for (const KernelFlow flow : kFlows) {
-    const Grid<double> light = picture(signal, withSamples(40.0, flow));
+    const Raster<double> light = picture(signal, withSamples(40.0, flow));
     // Half the interval that holds 40 hits is 20 pixels in the ground and 4 on the step.
     CHECK(columns(light, 120, 240).least == doctest::Approx(5.0).epsilon(1e-6));
     CHECK(columns(light, 120, 240).greatest == doctest::Approx(5.0).epsilon(1e-6));
@@ -174,7 +174,7 @@ TEST_CASE("m grows with the hits, and is told where it was chosen") {
 TEST_CASE("pictures have the same bits for any number of threads") {
   const HitMap map = inDisc(arcHits(7));
   for (const KernelFlow flow : kFlows) {
-    Grid<double> one, two;
+    Raster<double> one, two;
     tbb::task_arena(1).execute([&] { one = picture(map, withSamples({}, flow, 2)); });
     tbb::task_arena(2).execute([&] { two = picture(map, withSamples({}, flow, 2)); });
     CHECK(sameBits(one, two));

@@ -32,7 +32,7 @@ HitMap step() {
 }
 
 /// Bright over faint, away from the step and the border.
-double contrast(const Grid<double>& light) { return columns(light, 200, 280).mean / columns(light, 40, 100).mean; }
+double contrast(const Raster<double>& light) { return columns(light, 200, 280).mean / columns(light, 40, 100).mean; }
 
 }  // namespace
 
@@ -97,7 +97,7 @@ TEST_CASE("caustic: the sharp edge of an arc leaks little, and the less the more
   };
   for (const KernelFlow flow : kFlows) {
     const auto leak = [&](double scale) {
-      const Grid<double> light = picture(edge(scale), withSamples({}, flow));
+      const Raster<double> light = picture(edge(scale), withSamples({}, flow));
       return light.at(122, 32) / columns(light, 0, 256).greatest;
     };
     CHECK(leak(2.0) < 0.05);
@@ -110,9 +110,9 @@ TEST_CASE("one hit is spread and kept, wherever it falls") {
   const HitMap square = hitMap(kSide, kSide, [](int, int) { return 0.0; });
   for (HitMap map : {square, inDisc(square)}) {
     for (const int x : {64, 20, 0}) {
-      map.lights[0] = Grid<double>(kSide, kSide);
+      map.lights[0] = Raster<double>(kSide, kSide);
       map.lights[0].at(x, 64) = map.omega.at(x, 64);
-      const Grid<double> light = picture(map, {});
+      const Raster<double> light = picture(map, {});
       CHECK(std::abs(energyError(map, light)) < 1e-6);
       CHECK(columns(light, 0, kSide).least >= 0.0);
       CHECK(columns(light, 0, kSide).greatest < 0.01);
@@ -124,7 +124,7 @@ TEST_CASE("a pile of hits in one pixel stays there, without a ring") {
   HitMap map = hitMap(kSide, kSide, [](int, int) { return 0.0; });
   map.lights[0].at(50, 70) = 5000.0;
   for (const KernelFlow flow : kFlows) {
-    const Grid<double> light = picture(map, withSamples({}, flow));
+    const Raster<double> light = picture(map, withSamples({}, flow));
     CHECK(light.at(50, 70) == 5000.0);
     CHECK(total(light) == 5000.0);
   }
@@ -137,15 +137,15 @@ TEST_CASE("a pile of 1e8 hits is exact and leaves the sizes elsewhere alone") {
   piled.lights[0].at(64, 64) = 1e8;
   for (const KernelFlow flow : kFlows) {
     for (const std::optional<double> samples : {std::optional<double>(), std::optional<double>(40.0)}) {
-      const Grid<double> light = picture(piled, withSamples(samples, flow));
-      const Grid<double> without = picture(plain, withSamples(samples, flow));
+      const Raster<double> light = picture(piled, withSamples(samples, flow));
+      const Raster<double> without = picture(plain, withSamples(samples, flow));
       CHECK(light.at(64, 64) == doctest::Approx(1e8).epsilon(1e-6));
       CHECK(columns(light, 0, 64).greatest < 1.5 * columns(without, 0, kSide).greatest + 4.0);
       CHECK(columns(light, 0, 32).mean == doctest::Approx(columns(without, 0, 32).mean).epsilon(0.01));
     }
   }
-  const Grid<int> sizes = squareSizes(piled, SkyExtent(piled), 40.0);
-  const Grid<int> before = squareSizes(plain, SkyExtent(plain), 40.0);
+  const Raster<int> sizes = squareSizes(piled, SkyExtent(piled), 40.0);
+  const Raster<int> before = squareSizes(plain, SkyExtent(plain), 40.0);
   for (int y = 0; y < kSide; ++y) {
     for (int x = 0; x < kSide; ++x) {
       const int away = std::max(std::abs(x - 64), std::abs(y - 64));
@@ -156,9 +156,9 @@ TEST_CASE("a pile of 1e8 hits is exact and leaves the sizes elsewhere alone") {
 
 TEST_CASE("no hits, no sky and hits outside the sky give black") {
   HitMap map = hitMap(32, 32, [](int, int) { return 0.0; });
-  const auto black = [](const Grid<double>& light) { return light.size() == 1024 && total(light) == 0.0; };
+  const auto black = [](const Raster<double>& light) { return light.size() == 1024 && total(light) == 0.0; };
   for (const KernelFlow flow : kFlows) CHECK(black(picture(map, withSamples({}, flow))));
-  map.omega = Grid<double>(32, 32);
+  map.omega = Raster<double>(32, 32);
   for (const KernelFlow flow : kFlows) CHECK(black(picture(map, withSamples({}, flow))));
   map.lights[0].at(5, 5) = 7.0;
   for (const KernelFlow flow : kFlows) CHECK(black(picture(map, withSamples({}, flow, 2))));

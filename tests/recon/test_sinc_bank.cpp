@@ -91,7 +91,7 @@ TEST_CASE("unit gain adds up to 1 and the paper's gain grows as the square of Ts
 }
 
 TEST_CASE("the bank holds every radius up to 32 pixels, and beyond one within a sixteenth, in little memory") {
-  Grid<int> radii(512, 1);
+  Raster<int> radii(512, 1);
   for (int i = 0; i < 512; ++i) radii[static_cast<std::size_t>(i)] = std::min(i, 255);
   const SincBank bank(radii, {512, 512}, 1.0, KernelGain::unit);
   for (int radius = 0; radius < 256; ++radius) {
@@ -105,7 +105,7 @@ TEST_CASE("the bank holds every radius up to 32 pixels, and beyond one within a 
 
 TEST_CASE("squares are the smallest that hold m hits, across wrapped edges") {
   const HitMap map = torus(48, 3);
-  const Grid<int> radii = squareSizes(map, SkyExtent(map), 12.0);
+  const Raster<int> radii = squareSizes(map, SkyExtent(map), 12.0);
   for (int y = 0; y < 48; ++y) {
     for (int x = 0; x < 48; ++x) {
       const int radius = radii.at(x, y);
@@ -118,9 +118,9 @@ TEST_CASE("squares are the smallest that hold m hits, across wrapped edges") {
 TEST_CASE("squares of an even sky do not grow toward its border, and never beyond the picture") {
   const HitMap square = hitMap(64, 64, [](int, int) { return 1.0; });
   for (const HitMap& map : {square, inDisc(square)}) {
-    const Grid<int> radii = squareSizes(map, SkyExtent(map), 49.0);
+    const Raster<int> radii = squareSizes(map, SkyExtent(map), 49.0);
     for (std::size_t i = 0; i < radii.size(); ++i) REQUIRE(radii[i] == (map.omega[i] > 0.0 ? 3 : 0));
-    const Grid<int> largest = squareSizes(map, SkyExtent(map), 1e9);
+    const Raster<int> largest = squareSizes(map, SkyExtent(map), 1e9);
     CHECK(largest.at(32, 32) == 31);
   }
 }

@@ -12,6 +12,7 @@
 #include "math/rotation.h"
 #include "picture/image.h"
 #include "sky/camera.h"
+#include "sky/look_at.h"
 
 namespace parhelion {
 namespace {
@@ -21,14 +22,7 @@ constexpr std::array kProjections = {Projection::rectilinear,         Projection
                                      Projection::fisheyeOrthographic, Projection::equirectangular};
 
 CameraSettings settings(Projection projection, double fovDegrees, int width, int height) {
-  CameraSettings s;
-  s.projection = projection;
-  s.azimuth = 0.0;
-  s.elevation = 0.0;
-  s.fieldOfView = radians(fovDegrees);
-  s.width = width;
-  s.height = height;
-  return s;
+  return test::lookAt(projection, 0.0, 0.0, 0.0, fovDegrees, width, height);
 }
 
 Vec2 at(const Camera& camera, double azimuthDegrees, double elevationDegrees) {

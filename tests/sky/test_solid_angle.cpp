@@ -10,17 +10,14 @@
 
 #include "math/rotation.h"
 #include "sky/camera.h"
+#include "sky/look_at.h"
 
 namespace parhelion {
 namespace {
 
 CameraSettings settings(Projection projection, double fovDegrees, int width, int height, double circleDegrees = 0.0) {
-  CameraSettings s;
-  s.projection = projection;
-  s.fieldOfView = radians(fovDegrees);
+  CameraSettings s = test::lookAt(projection, 0.0, 90.0, 0.0, fovDegrees, width, height);
   s.imageCircle = radians(circleDegrees);
-  s.width = width;
-  s.height = height;
   return s;
 }
 

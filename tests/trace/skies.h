@@ -11,25 +11,11 @@
 
 #include "crystals.h"
 #include "halos/comparison.h"
+#include "sky/look_at.h"
 #include "statistics.h"
 #include "trace/film.h"
 
 namespace parhelion::test {
-
-/// A camera with `width` x `height` pixels, all angles in degrees. Pixels are few and large: each is a block of sky
-/// whose error the tally states itself.
-inline CameraSettings lookAt(Projection projection, double azimuth, double elevation, double roll, double fieldOfView,
-                             int width = 24, int height = 24) {
-  CameraSettings camera;
-  camera.projection = projection;
-  camera.azimuth = radians(azimuth);
-  camera.elevation = radians(elevation);
-  camera.roll = radians(roll);
-  camera.fieldOfView = radians(fieldOfView);
-  camera.width = width;
-  camera.height = height;
-  return camera;
-}
 
 /// The whole sphere, off the sun's azimuth.
 inline CameraSettings wholeSphere(int width = 36) {

@@ -12,6 +12,7 @@
 
 #include "math/rotation.h"
 #include "sky/camera.h"
+#include "sky/look_at.h"
 
 using namespace parhelion;
 
@@ -36,14 +37,7 @@ OverlaySettings everything() {
 
 CameraSettings cameraOf(Projection projection, double azimuth, double elevation, double fieldOfView, int width,
                         int height) {
-  CameraSettings c;
-  c.projection = projection;
-  c.azimuth = radians(azimuth);
-  c.elevation = radians(elevation);
-  c.fieldOfView = radians(fieldOfView);
-  c.width = width;
-  c.height = height;
-  return c;
+  return test::lookAt(projection, azimuth, elevation, 0.0, fieldOfView, width, height);
 }
 
 CameraSettings wholeSky(int size) { return cameraOf(Projection::fisheyeEqualArea, 0, 90, 180, size, size); }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "parallel/loops.h"
 #include "picture/colour_space.h"
 #include "recon/adaptive/adaptive_filter.h"
 #include "recon/adaptive/guard_band.h"
@@ -23,8 +24,8 @@ Vec3 perWhite(const Vec3& xyz, const Vec3& white) {
 }
 
 template <std::size_t N>
-Grid<Light<N>> lightOf(const SkyLight& from, const GuardBand& band) {
-  Grid<Light<N>> light(band.width(), band.height());
+Raster<Light<N>> lightOf(const SkyLight& from, const GuardBand& band) {
+  Raster<Light<N>> light(band.width(), band.height());
   forRows(band.height(), [&](int y) {
     for (int x = 0; x < band.width(); ++x) {
       const std::size_t pixel = band.pixelAt(x, y);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "math/portable.h"
+#include "parallel/loops.h"
 #include "recon/adaptive/gated_sum.h"
 #include "recon/adaptive/growing_squares.h"
 #include "recon/adaptive/halving.h"
@@ -30,12 +31,12 @@ double hitsPerKernel(double hits) {
   return std::clamp(0.5 * portable::exp(0.45 * portable::log(std::max(hits, 1.0))), 16.0, 2048.0);
 }
 
-/// Kernels for `density` hits per relative solid angle; an empty grid of shapes is all round in the sky.
-KernelField fieldOf(const SkyPyramid& sky, const Grid<Light<1>>& density, const Grid<KernelShape>& shapes,
+/// Kernels for `density` hits per relative solid angle; an empty raster of shapes is all round in the sky.
+KernelField fieldOf(const SkyPyramid& sky, const Raster<Light<1>>& density, const Raster<KernelShape>& shapes,
                     double totalHits) {
-  // Where nothing came near, kernels are as wide as the picture allows.
-  const float least = static_cast<float>(1e-6 * totalHits / static_cast<double>(sky.skyPixels()));
-  Grid<KernelSite> sites(sky.width(), sky.height());
+  constexpr double kLeastDensity = 1e-6;  // of the mean, where nothing came near: kernels as wide as a picture allows
+  const float least = static_cast<float>(kLeastDensity * totalHits / static_cast<double>(sky.skyPixels()));
+  Raster<KernelSite> sites(sky.width(), sky.height());
   forRows(sky.height(), [&](int y) {
     const KernelShape round = KernelShape{}.stretched(sky.stretch(y));
     for (int x = 0; x < sky.width(); ++x) {
@@ -47,38 +48,38 @@ KernelField fieldOf(const SkyPyramid& sky, const Grid<Light<1>>& density, const 
 }
 
 /// Hits per relative solid angle in squares that hold `enough` of them, in fixed point so that sums are exact.
-Grid<Light<1>> firstDensity(const SkyPyramid& sky, const Grid<Light<1>>& hits, double enough) {
+Raster<Light<1>> firstDensity(const SkyPyramid& sky, const Raster<Light<1>>& hits, double enough) {
   constexpr double kScale = 1 << 20;  // 1e12 hits fit
-  Grid<std::int64_t> fixed(sky.width(), sky.height());
+  Raster<std::int64_t> fixed(sky.width(), sky.height());
   for (std::size_t i = 0; i < fixed.size(); ++i) fixed[i] = toFixed(static_cast<double>(hits[i][0]), kScale);
-  const Grid<float> density = growingSquares(sky, fixed, toFixed(enough, kScale));
-  Grid<Light<1>> result(sky.width(), sky.height());
+  const Raster<float> density = growingSquares(sky, fixed, toFixed(enough, kScale));
+  Raster<Light<1>> result(sky.width(), sky.height());
   for (std::size_t i = 0; i < fixed.size(); ++i) result[i] = {density[i] * static_cast<float>(1.0 / kScale)};
   return result;
 }
 
 /// The kernels of the density once more, which those of a rougher one and its shapes have spread. Kernels along the
 /// arcs can do with half the hits: the density follows bright arcs more closely.
-KernelField sharpened(const SkyPyramid& sky, const Grid<Light<1>>& hits, const Grid<Light<1>>& density,
-                      const Grid<KernelShape>& shapes, double totalHits) {
+KernelField sharpened(const SkyPyramid& sky, const Raster<Light<1>>& hits, const Raster<Light<1>>& density,
+                      const Raster<KernelShape>& shapes, double totalHits) {
   const double enough = kPilotShare * hitsPerKernel(totalHits);
   return fieldOf(sky, scatter<1>(sky, fieldOf(sky, density, shapes, totalHits), hits, enough), shapes, totalHits);
 }
 
 /// Density by density, finer each time, until sizes and shapes of the kernels are settled.
-KernelField settleKernels(const SkyPyramid& sky, const Grid<Light<1>>& hits, double totalHits) {
+KernelField settleKernels(const SkyPyramid& sky, const Raster<Light<1>>& hits, double totalHits) {
   const double n = hitsPerKernel(totalHits);
   constexpr double kFirstHits = 32.0;
-  Grid<Light<1>> density = firstDensity(sky, hits, std::min(0.5 * n, totalHits));
+  Raster<Light<1>> density = firstDensity(sky, hits, std::min(0.5 * n, totalHits));
   density = scatter<1>(sky, fieldOf(sky, density, {}, totalHits), hits, kFirstHits);
   density = scatter<1>(sky, fieldOf(sky, density, {}, totalHits), hits, n);
-  const Grid<KernelShape> shapes = kernelShapes(sky, density, n);
+  const Raster<KernelShape> shapes = kernelShapes(sky, density, n);
   return sharpened(sky, hits, density, shapes, totalHits);
 }
 
 template <std::size_t From, std::size_t N>
-Grid<Light<N>> firstOf(const Grid<Light<From>>& light) {
-  Grid<Light<N>> first(light.width(), light.height());
+Raster<Light<N>> firstOf(const Raster<Light<From>>& light) {
+  Raster<Light<N>> first(light.width(), light.height());
   for (std::size_t i = 0; i < light.size(); ++i) {
     for (std::size_t c = 0; c < N; ++c) first[i][c] = light[i][c];
   }
@@ -87,21 +88,21 @@ Grid<Light<N>> firstOf(const Grid<Light<From>>& light) {
 
 /// The kernels of a picture from a look at it at half the resolution: there the whole method is run once, but for its
 /// finest corrections, and what comes out places and shapes the kernels.
-KernelField lookedAtFrom(const SkyPyramid& half, const Grid<Light<2>>& halfLight, const SkyPyramid& sky,
-                         const Grid<Light<1>>& hits, double totalHits) {
+KernelField lookedAtFrom(const SkyPyramid& half, const Raster<Light<2>>& halfLight, const SkyPyramid& sky,
+                         const Raster<Light<1>>& hits, double totalHits) {
   const double n = hitsPerKernel(totalHits), caution = cautionFor(totalHits);
   const KernelField field = settleKernels(half, firstOf<2, 1>(halfLight), totalHits);
   GatedSum<2> look(half, field, halfLight, 16.0 * n, kPilotShare * n);
   for (int finer = 0; finer < 3; ++finer) look.refine(caution);
 
-  Grid<Light<1>> density = firstOf<2, 1>(look.result());
-  const Grid<KernelShape> shapes = kernelShapes(half, density, n);
-  Grid<Light<3>> sites(half.width(), half.height()), fine(sky.width(), sky.height());
+  Raster<Light<1>> density = firstOf<2, 1>(look.result());
+  const Raster<KernelShape> shapes = kernelShapes(half, density, n);
+  Raster<Light<3>> sites(half.width(), half.height()), fine(sky.width(), sky.height());
   for (std::size_t i = 0; i < sites.size(); ++i) sites[i] = {density[i][0], shapes[i].p, shapes[i].q};
   addInterpolated(fine, sky.pixels(), sites, half.pixels());
   const float perCell = sky.levels() > 1 ? 0.25F : 1.0F;
   density = {sky.width(), sky.height()};
-  Grid<KernelShape> fineShapes(sky.width(), sky.height());
+  Raster<KernelShape> fineShapes(sky.width(), sky.height());
   for (std::size_t i = 0; i < fine.size(); ++i) {
     density[i][0] = perCell * fine[i][0];
     fineShapes[i] = {fine[i][1], fine[i][2]};
@@ -112,9 +113,9 @@ KernelField lookedAtFrom(const SkyPyramid& half, const Grid<Light<2>>& halfLight
 }  // namespace
 
 template <std::size_t N>
-Filtered adaptiveFilter(const SkyPyramid& sky, const Grid<Light<N>>& light, double totalHits, const Watch& watch) {
+Filtered adaptiveFilter(const SkyPyramid& sky, const Raster<Light<N>>& light, double totalHits, const Watch& watch) {
   const SkyPyramid half = sky.halved();
-  const Grid<Light<N>> halfLight = sky.levels() > 1 ? halved(light) : light;
+  const Raster<Light<N>> halfLight = sky.levels() > 1 ? halved(light) : light;
   const double n = hitsPerKernel(totalHits), caution = cautionFor(totalHits);
 
   watch.at(0.0);
@@ -128,7 +129,7 @@ Filtered adaptiveFilter(const SkyPyramid& sky, const Grid<Light<N>>& light, doub
   return {sum.takeResult(), sum.takeColour()};
 }
 
-template Filtered adaptiveFilter(const SkyPyramid&, const Grid<Light<2>>&, double, const Watch&);
-template Filtered adaptiveFilter(const SkyPyramid&, const Grid<Light<4>>&, double, const Watch&);
+template Filtered adaptiveFilter(const SkyPyramid&, const Raster<Light<2>>&, double, const Watch&);
+template Filtered adaptiveFilter(const SkyPyramid&, const Raster<Light<4>>&, double, const Watch&);
 
 }  // namespace parhelion

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "parallel/loops.h"
 #include "recon/adaptive/gates.h"
 
 namespace parhelion {
@@ -27,7 +28,7 @@ constexpr double kColourCaution = 1.0;
 }  // namespace
 
 template <std::size_t N>
-GatedSum<N>::GatedSum(const SkyPyramid& sky, const KernelField& field, const Grid<Light<N>>& light, double hits,
+GatedSum<N>::GatedSum(const SkyPyramid& sky, const KernelField& field, const Raster<Light<N>>& light, double hits,
                       double placedBy)
     : sky_(sky),
       field_(field),
@@ -47,7 +48,7 @@ GatedSum<N>::GatedSum(const SkyPyramid& sky, const KernelField& field, const Gri
 template <std::size_t N>
 void GatedSum<N>::refine(double caution) {
   const double narrowHits = 0.25 * hits_;
-  Grid<Light<N>> narrow = scatter<N>(sky_, field_, light_, narrowHits);
+  Raster<Light<N>> narrow = scatter<N>(sky_, field_, light_, narrowHits);
   const Corrections corrections = compareSizes<N>(sky_, field_, wide_, narrow, narrowHits);
   gates_ = correctionGates(corrections, field_, narrowHits, caution, gates_);
   if (N == 4) colourGates_ = colourGates(corrections, field_, narrowHits, kColourCaution, colourGates_);

@@ -15,28 +15,29 @@ class GatedSum {
  public:
   /// The picture of kernels with `hits` hits; `placedBy` hits were under those of the density that placed them. Sky,
   /// field and light must outlive this.
-  GatedSum(const SkyPyramid& sky, const KernelField& field, const Grid<Light<N>>& light, double hits, double placedBy);
+  GatedSum(const SkyPyramid& sky, const KernelField& field, const Raster<Light<N>>& light, double hits,
+           double placedBy);
 
   /// Adds what kernels of a quarter of the hits make better. A correction must exceed `caution` times its noise.
   void refine(double caution);
 
   /// Luminance and the difference between its halves, per relative solid angle (SkyLevel::omega).
-  const Grid<Light<2>>& result() const { return sum_; }
+  const Raster<Light<2>>& result() const { return sum_; }
 
   /// The same, and luminance, X and Z through gates of their own, of which only the ratios are of use (empty without
   /// colour), once: nothing is left to refine.
-  Grid<Light<2>> takeResult() { return std::move(sum_); }
-  Grid<Light<3>> takeColour() { return std::move(colour_); }
+  Raster<Light<2>> takeResult() { return std::move(sum_); }
+  Raster<Light<3>> takeColour() { return std::move(colour_); }
 
  private:
   const SkyPyramid& sky_;
   const KernelField& field_;
-  const Grid<Light<N>>& light_;
+  const Raster<Light<N>>& light_;
   double hits_, placedBy_;
-  Grid<Light<N>> wide_;  // the last picture, of hits_
-  Grid<Light<2>> sum_;
-  Grid<Light<3>> colour_;
-  Grid<float> gates_, colourGates_;
+  Raster<Light<N>> wide_;  // the last picture, of hits_
+  Raster<Light<2>> sum_;
+  Raster<Light<3>> colour_;
+  Raster<float> gates_, colourGates_;
 };
 
 extern template class GatedSum<2>;

@@ -8,7 +8,10 @@
 #include <vector>
 
 #include "math/portable.h"
+#include "parallel/loops.h"
+#include "recon/adaptive/halving.h"
 #include "recon/integral_image.h"
+#include "recon/kernel_variance.h"
 
 namespace parhelion {
 namespace {
@@ -26,13 +29,14 @@ class CorrectionNoise {
 
   float at(float variance) const {
     const float t = (0.5F * roughLog2(variance) - kFirstOctave) * kPerOctave;
-    const float clamped = std::clamp(t, 0.0F, kSteps - 1.001F);
+    const float clamped = std::clamp(t, 0.0F, kLastStep);
     const auto i = static_cast<std::size_t>(clamped);
     return values_[i] + (clamped - static_cast<float>(i)) * (values_[i + 1] - values_[i]);
   }
 
  private:
   static constexpr int kFirstOctave = -3, kPerOctave = 4, kSteps = 21;  // sigma = 1/8 ... 4 pixels
+  static constexpr float kLastStep = kSteps - 1.001F;                   // a little less, so that there is a next one
 
   static double squareOfDifference(double sigma) {
     const Kernel narrow(sigma, sigma, 0.0), wide(2.0 * sigma, 2.0 * sigma, 0.0);
@@ -68,7 +72,7 @@ constexpr float kMostSquare = 1e4F;
 constexpr float kMostOverNoise = 100.0F;
 
 /// The median over the blocks of what changes in colour over the noise.
-double medianColour(const Grid<CorrectionSquares>& blocks) {
+double medianColour(const Raster<CorrectionSquares>& blocks) {
   std::vector<float> ratios;
   ratios.reserve(blocks.size());
   for (std::size_t i = 0; i < blocks.size(); ++i) {
@@ -83,9 +87,9 @@ double medianColour(const Grid<CorrectionSquares>& blocks) {
 }
 
 /// Gates for one kind of squares.
-Grid<float> gatesFor(float CorrectionSquares::*squares, const Corrections& corrections, const KernelField& field,
-                     double hits, double caution, const Grid<float>& coarser) {
-  const Grid<CorrectionSquares>& blocks = corrections.blocks;
+Raster<float> gatesFor(float CorrectionSquares::*squares, const Corrections& corrections, const KernelField& field,
+                       double hits, double caution, const Raster<float>& coarser) {
+  const Raster<CorrectionSquares>& blocks = corrections.blocks;
   const auto sums = [&](float CorrectionSquares::*part) {
     return IntegralImage<double>(blocks.width(), blocks.height(),
                                  [&, part](int x, int y) { return blocks.at(x, y).*part; });
@@ -95,14 +99,14 @@ Grid<float> gatesFor(float CorrectionSquares::*squares, const Corrections& corre
   constexpr double kWindow = 2.0;       // half side, standard deviations of the kernels
   constexpr double kLeastWindow = 1.5;  // blocks
   constexpr double kRounding = 1e-9;    // of the sums: at most 1e4 a block, 1e8 blocks, 1e-16 of that
-  const Grid<KernelSite>& sites = field.level(std::min(1, field.levels() - 1));  // a single pixel has but one level
-  Grid<float> gates(blocks.width(), blocks.height());
+  const Raster<KernelSite>& sites = field.level(std::min(1, field.levels() - 1));  // a single pixel has but one level
+  Raster<float> gates(blocks.width(), blocks.height());
   forRows(blocks.height(), [&](int y) {
     for (int x = 0; x < blocks.width(); ++x) {
       if (blocks.at(x, y).pixels <= 0.0F) continue;
       const float density = sites.at(x, y).density;
       const double sigma = std::sqrt(static_cast<double>(kernelVariance(hits, density)));
-      const int r = static_cast<int>(std::clamp(0.5 * kWindow * sigma, kLeastWindow, 1e5) + 0.5);
+      const int r = static_cast<int>(std::clamp(0.5 * kWindow * sigma, kLeastWindow, kBeyondAnyPicture) + 0.5);
       const double kept = correction.square(x, y, r), lost = caution * noise.square(x, y, r);
       const float coarserGate = coarser.size() > 0 ? coarser.at(x, y) : 1.0F;
       if (kept > lost + kRounding) gates.at(x, y) = coarserGate * static_cast<float>(1.0 - lost / kept);
@@ -114,13 +118,12 @@ Grid<float> gatesFor(float CorrectionSquares::*squares, const Corrections& corre
 }  // namespace
 
 template <std::size_t N>
-Corrections compareSizes(const SkyPyramid& sky, const KernelField& field, const Grid<Light<N>>& wide,
-                         const Grid<Light<N>>& narrow, double hits) {
+Corrections compareSizes(const SkyPyramid& sky, const KernelField& field, const Raster<Light<N>>& wide,
+                         const Raster<Light<N>>& narrow, double hits) {
   Corrections result;
-  result.blocks = {(sky.width() + 1) / 2, (sky.height() + 1) / 2};
-  std::vector<std::array<double, 2>> sums(static_cast<std::size_t>(result.blocks.height()));
-  forRows(result.blocks.height(), [&](int by) {
-    auto& [measured, expected] = sums[static_cast<std::size_t>(by)];
+  result.blocks = {halfOf(sky.width()), halfOf(sky.height())};
+  const Vec2 sums = sumOverRows(result.blocks.height(), [&](int by) {
+    Vec2 row(0.0);  // measured, expected
     for (int y = 2 * by; y < std::min(2 * by + 2, sky.height()); ++y) {
       for (int x = 0; x < sky.width(); ++x) {
         if (sky.pixels().omega.at(x, y) <= 0.0F) continue;
@@ -144,39 +147,34 @@ Corrections compareSizes(const SkyPyramid& sky, const KernelField& field, const 
         }
         block.pixels += 1.0F;
         if (!sky.counts(x, y)) continue;
-        measured += static_cast<double>(density * std::min(difference * difference, kMostOverNoise * noise));
-        expected += static_cast<double>(density * noise);
+        row += Vec2(density * std::min(difference * difference, kMostOverNoise * noise), density * noise);
       }
     }
+    return row;
   });
-  double measured = 0.0, expected = 0.0;
-  for (const auto& [m, e] : sums) {
-    measured += m;
-    expected += e;
-  }
-  if (expected > 0.0) result.noiseRatio = measured / expected;
+  if (sums.y > 0.0) result.noiseRatio = sums.x / sums.y;
   if (N == 4) result.colourRatio = medianColour(result.blocks);
   return result;
 }
 
-template Corrections compareSizes(const SkyPyramid&, const KernelField&, const Grid<Light<2>>&, const Grid<Light<2>>&,
-                                  double);
-template Corrections compareSizes(const SkyPyramid&, const KernelField&, const Grid<Light<4>>&, const Grid<Light<4>>&,
-                                  double);
+template Corrections compareSizes(const SkyPyramid&, const KernelField&, const Raster<Light<2>>&,
+                                  const Raster<Light<2>>&, double);
+template Corrections compareSizes(const SkyPyramid&, const KernelField&, const Raster<Light<4>>&,
+                                  const Raster<Light<4>>&, double);
 
-Grid<float> correctionGates(const Corrections& corrections, const KernelField& field, double hits, double caution,
-                            const Grid<float>& coarser) {
+Raster<float> correctionGates(const Corrections& corrections, const KernelField& field, double hits, double caution,
+                              const Raster<float>& coarser) {
   return gatesFor(&CorrectionSquares::correction, corrections, field, hits, caution * corrections.noiseRatio, coarser);
 }
 
-Grid<float> colourGates(const Corrections& corrections, const KernelField& field, double hits, double caution,
-                        const Grid<float>& coarser) {
+Raster<float> colourGates(const Corrections& corrections, const KernelField& field, double hits, double caution,
+                          const Raster<float>& coarser) {
   return gatesFor(&CorrectionSquares::colour, corrections, field, hits, caution * corrections.colourRatio, coarser);
 }
 
-float gateAt(const Grid<float>& gates, int x, int y) {
-  const int x0 = x / 2, x1 = std::clamp(x0 + (x % 2 == 0 ? -1 : 1), 0, gates.width() - 1);
-  const int y0 = y / 2, y1 = std::clamp(y0 + (y % 2 == 0 ? -1 : 1), 0, gates.height() - 1);
+float gateAt(const Raster<float>& gates, int x, int y) {
+  const int x0 = x / 2, x1 = nextNearest(x, gates.width());
+  const int y0 = y / 2, y1 = nextNearest(y, gates.height());
   return (9.0F * gates.at(x0, y0) + 3.0F * (gates.at(x1, y0) + gates.at(x0, y1)) + gates.at(x1, y1)) / 16.0F;
 }
 

@@ -17,7 +17,7 @@ struct CorrectionSquares {
 
 /// The sums of all blocks, at half resolution, and how the noise compares with that of independent hits.
 struct Corrections {
-  Grid<CorrectionSquares> blocks;
+  Raster<CorrectionSquares> blocks;
   double noiseRatio = 1.0;   // measured variance over that of independent hits
   double colourRatio = 1.0;  // squares that noise makes in colour, over those that it would make in the luminance
 };
@@ -28,13 +28,13 @@ struct Corrections {
 /// pure noise. Lights 2 and 3 are X and Z relative to white. They have no halves. So their noise is estimated from the
 /// median over the blocks, as if nothing but noise changed the colour in half of all blocks.
 template <std::size_t N>
-Corrections compareSizes(const SkyPyramid& sky, const KernelField& field, const Grid<Light<N>>& wide,
-                         const Grid<Light<N>>& narrow, double hits);
+Corrections compareSizes(const SkyPyramid& sky, const KernelField& field, const Raster<Light<N>>& wide,
+                         const Raster<Light<N>>& narrow, double hits);
 
-extern template Corrections compareSizes(const SkyPyramid&, const KernelField&, const Grid<Light<2>>&,
-                                         const Grid<Light<2>>&, double);
-extern template Corrections compareSizes(const SkyPyramid&, const KernelField&, const Grid<Light<4>>&,
-                                         const Grid<Light<4>>&, double);
+extern template Corrections compareSizes(const SkyPyramid&, const KernelField&, const Raster<Light<2>>&,
+                                         const Raster<Light<2>>&, double);
+extern template Corrections compareSizes(const SkyPyramid&, const KernelField&, const Raster<Light<4>>&,
+                                         const Raster<Light<4>>&, double);
 
 /// How much of each correction to keep, from 0 to 1, at half resolution.
 ///
@@ -42,14 +42,14 @@ extern template Corrections compareSizes(const SkyPyramid&, const KernelField&, 
 /// square that exceeds `caution` times the noise is kept. A gate is never above its counterpart in `coarser`, the gates
 /// of the wider kernels (empty: there are none). So any sum of gated corrections is a weighted mean of the filtered
 /// pictures, and stays positive.
-Grid<float> correctionGates(const Corrections& corrections, const KernelField& field, double hits, double caution,
-                            const Grid<float>& coarser);
+Raster<float> correctionGates(const Corrections& corrections, const KernelField& field, double hits, double caution,
+                              const Raster<float>& coarser);
 
 /// The same for the corrections of colour.
-Grid<float> colourGates(const Corrections& corrections, const KernelField& field, double hits, double caution,
-                        const Grid<float>& coarser);
+Raster<float> colourGates(const Corrections& corrections, const KernelField& field, double hits, double caution,
+                          const Raster<float>& coarser);
 
 /// The gate at a pixel, interpolated between the centres of the blocks.
-float gateAt(const Grid<float>& gates, int x, int y);
+float gateAt(const Raster<float>& gates, int x, int y);
 
 }  // namespace parhelion

@@ -9,6 +9,6 @@ namespace parhelion {
 
 /// First guess of the light per relative solid angle: around every pixel of the sky a square grows until it holds
 /// `enough` light, or all there is. `light` is in whatever unit, exact; 0 where there is no sky.
-Grid<float> growingSquares(const SkyPyramid& sky, const Grid<std::int64_t>& light, std::int64_t enough);
+Raster<float> growingSquares(const SkyPyramid& sky, const Raster<std::int64_t>& light, std::int64_t enough);
 
 }  // namespace parhelion

@@ -5,27 +5,9 @@
 #include <cmath>
 
 #include "math/portable.h"
+#include "recon/full_turn.h"
 
 namespace parhelion {
-namespace {
-
-constexpr double kRounding = 1e-9;  // rad
-
-/// Of an equirectangular picture.
-double radiansPerPixel(const CameraSettings& camera) {
-  return camera.fieldOfView / (camera.fieldOfViewAxis == FieldOfViewAxis::vertical ? camera.height : camera.width);
-}
-
-bool reachesPoles(const CameraSettings& camera) {
-  return std::abs(radiansPerPixel(camera) * camera.height - kPi) < kRounding;
-}
-
-}  // namespace
-
-bool isFullTurn(const CameraSettings& camera) {
-  if (camera.projection != Projection::equirectangular) return false;
-  return std::abs(radiansPerPixel(camera) * camera.width - 2.0 * kPi) < kRounding;
-}
 
 GuardBand::GuardBand(const CameraSettings& camera) : picture_(camera) {
   if (!isFullTurn(camera)) return;

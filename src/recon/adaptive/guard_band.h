@@ -32,7 +32,4 @@ class GuardBand {
   int columns_ = 0, rows_ = 0;  // of the band, on each side
 };
 
-/// Whether a picture closes to a full turn from its left edge to its right one.
-bool isFullTurn(const CameraSettings& camera);
-
 }  // namespace parhelion

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "recon/adaptive/kernel_field.h"
+#include "recon/kernel_variance.h"
 
 namespace parhelion {
 
@@ -25,7 +26,7 @@ inline const Kernel& kernelFor(float variance, KernelShape shape, int level) {
   return kernelBank().nearest(variance / pixelsPerCell(level), shape, blurOf(level));
 }
 
-inline const Kernel& kernelAt(const Grid<KernelSite>& sites, int x, int y, double hits, int level) {
+inline const Kernel& kernelAt(const Raster<KernelSite>& sites, int x, int y, double hits, int level) {
   const KernelSite& site = sites.at(x, y);
   return kernelFor(kernelVariance(hits, site.density), site.shape, level);
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "parallel/loops.h"
 #include "recon/adaptive/level_kernels.h"
 #include "recon/adaptive/scatter.h"
 
@@ -13,7 +14,8 @@ namespace parhelion {
 class NearBorder {
  public:
   template <std::size_t N>
-  NearBorder(const Grid<Light<N>>& light, const SkyLevel& sky, const Grid<KernelSite>& sites, double hits, int level)
+  NearBorder(const Raster<Light<N>>& light, const SkyLevel& sky, const Raster<KernelSite>& sites, double hits,
+             int level)
       : shares_(sky.width(), sky.height()), blocks_(blocksOf(sky.width()), blocksOf(sky.height())) {
     std::vector<int> farthest(static_cast<std::size_t>(blocks_.height()));
     forRows(blocks_.height(), [&](int by) {
@@ -75,10 +77,10 @@ class NearBorder {
     }
   }
 
-  Grid<float> shares_;
-  Grid<char> blocks_;  // 1: the border matters to a cell in it
-  Grid<char> close_;   // 1: such a block is within reach
-  int farthest_ = 0;   // of all these from the border
+  Raster<float> shares_;
+  Raster<char> blocks_;  // 1: the border matters to a cell in it
+  Raster<char> close_;   // 1: such a block is within reach
+  int farthest_ = 0;     // of all these from the border
 };
 
 }  // namespace parhelion

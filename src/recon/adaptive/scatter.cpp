@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "parallel/loops.h"
 #include "recon/adaptive/halving.h"
 #include "recon/adaptive/level_kernels.h"
 #include "recon/adaptive/near_border.h"
+#include "recon/kernel_variance.h"
 
 namespace parhelion {
 namespace {
@@ -28,8 +30,8 @@ struct Source {
 
 /// Sorts the pixels' light by level. Level 0 stays empty: its sources are the pixels themselves.
 template <std::size_t N>
-std::vector<Grid<Source<N>>> sourcesByLevel(const SkyPyramid& sky, const KernelField& field,
-                                            const Grid<Light<N>>& light, double hits) {
+std::vector<Raster<Source<N>>> sourcesByLevel(const SkyPyramid& sky, const KernelField& field,
+                                              const Raster<Light<N>>& light, double hits) {
   const int levels = sky.levels();
   std::vector<int> deepestOfRow(static_cast<std::size_t>(sky.height()));
   forRows(sky.height(), [&](int y) {
@@ -41,7 +43,7 @@ std::vector<Grid<Source<N>>> sourcesByLevel(const SkyPyramid& sky, const KernelF
     }
   });
   const int deepest = *std::max_element(deepestOfRow.begin(), deepestOfRow.end());
-  std::vector<Grid<Source<N>>> sources(static_cast<std::size_t>(deepest) + 1);
+  std::vector<Raster<Source<N>>> sources(static_cast<std::size_t>(deepest) + 1);
   for (int l = 1; l <= deepest; ++l)
     sources[static_cast<std::size_t>(l)] = {sky.level(l).width(), sky.level(l).height()};
 
@@ -63,7 +65,7 @@ std::vector<Grid<Source<N>>> sourcesByLevel(const SkyPyramid& sky, const KernelF
 }
 
 template <std::size_t N>
-void splat(Grid<Light<N>>& out, const Kernel& kernel, int x, int y, const Light<N>& light) {
+void splat(Raster<Light<N>>& out, const Kernel& kernel, int x, int y, const Light<N>& light) {
   const int top = std::max(-kernel.rowReach(), -y), bottom = std::min(kernel.rowReach(), out.height() - 1 - y);
   for (int dy = top; dy <= bottom; ++dy) {
     const Kernel::Row row = kernel.row(dy);
@@ -87,7 +89,7 @@ void forSpreadingCells(int width, int height, const F& f) {
   for (int round = 0; round < 4; ++round) {
     const int firstColumn = round % 2, firstRow = round / 2;
     const int across = (columns - firstColumn + 1) / 2, down = (rows - firstRow + 1) / 2;
-    tbb::parallel_for(0, across * down, [&](int tile) {
+    forEach(across * down, [&](int tile) {
       const int x0 = (firstColumn + 2 * (tile % across)) * kTile, y0 = (firstRow + 2 * (tile / across)) * kTile;
       for (int y = y0; y < std::min(y0 + kTile, height); ++y) {
         for (int x = x0; x < std::min(x0 + kTile, width); ++x) f(x, y);
@@ -98,9 +100,9 @@ void forSpreadingCells(int width, int height, const F& f) {
 
 /// Solid angle per cell as the kernels spread it: what an even sky would look like. It falls short of the true one near
 /// the border; only there it is computed.
-Grid<Light<1>> spreadOmega(const NearBorder& near, const SkyLevel& sky, const Grid<KernelSite>& sites, double hits,
-                           int level) {
-  Grid<Light<1>> spread(sky.width(), sky.height());
+Raster<Light<1>> spreadOmega(const NearBorder& near, const SkyLevel& sky, const Raster<KernelSite>& sites, double hits,
+                             int level) {
+  Raster<Light<1>> spread(sky.width(), sky.height());
   forSpreadingCells(sky.width(), sky.height(), [&](int x, int y) {
     const int border = sky.border.at(x, y);
     if (border == 0 || !near.isClose(x, y) || !near.within(border, mostReach(sites.at(x, y), hits, level))) return;
@@ -113,9 +115,10 @@ Grid<Light<1>> spreadOmega(const NearBorder& near, const SkyLevel& sky, const Gr
 /// Light per cell to light per relative solid angle. Away from the border the solid angle is nearly linear over a
 /// kernel, and spreading it would change nothing.
 template <std::size_t N>
-void divideByOmega(Grid<Light<N>>& out, const SkyLevel& sky, const Grid<KernelSite>& sites, double hits, int level) {
+void divideByOmega(Raster<Light<N>>& out, const SkyLevel& sky, const Raster<KernelSite>& sites, double hits,
+                   int level) {
   const NearBorder near(out, sky, sites, hits, level);
-  const Grid<Light<1>> spread = spreadOmega(near, sky, sites, hits, level);
+  const Raster<Light<1>> spread = spreadOmega(near, sky, sites, hits, level);
   const float pixels = pixelsPerCell(level);
   forRows(out.height(), [&](int y) {
     for (int x = 0; x < out.width(); ++x) {
@@ -132,8 +135,8 @@ void divideByOmega(Grid<Light<N>>& out, const SkyLevel& sky, const Grid<KernelSi
 
 /// The light of one level, spread over its cells.
 template <std::size_t N>
-Grid<Light<N>> spreadLevel(const SkyLevel& sky, const Grid<Source<N>>& sources, int level) {
-  Grid<Light<N>> out(sky.width(), sky.height());
+Raster<Light<N>> spreadLevel(const SkyLevel& sky, const Raster<Source<N>>& sources, int level) {
+  Raster<Light<N>> out(sky.width(), sky.height());
   forSpreadingCells(sky.width(), sky.height(), [&](int x, int y) {
     const Source<N>& s = sources.at(x, y);
     if (s.light[0] == 0.0F) return;
@@ -145,8 +148,8 @@ Grid<Light<N>> spreadLevel(const SkyLevel& sky, const Grid<Source<N>>& sources, 
 
 /// The light of the pixels with the narrowest kernels, spread over pixels.
 template <std::size_t N>
-Grid<Light<N>> spreadPixels(const Grid<KernelSite>& sites, const Grid<Light<N>>& light, double hits, int levels) {
-  Grid<Light<N>> out(light.width(), light.height());
+Raster<Light<N>> spreadPixels(const Raster<KernelSite>& sites, const Raster<Light<N>>& light, double hits, int levels) {
+  Raster<Light<N>> out(light.width(), light.height());
   forSpreadingCells(light.width(), light.height(), [&](int x, int y) {
     const Light<N>& source = light.at(x, y);
     if (source[0] == 0.0F) return;
@@ -161,12 +164,12 @@ Grid<Light<N>> spreadPixels(const Grid<KernelSite>& sites, const Grid<Light<N>>&
 }  // namespace
 
 template <std::size_t N>
-Grid<Light<N>> scatter(const SkyPyramid& sky, const KernelField& field, const Grid<Light<N>>& light, double hits) {
-  std::vector<Grid<Source<N>>> sources = sourcesByLevel(sky, field, light, hits);
-  Grid<Light<N>> coarse;
+Raster<Light<N>> scatter(const SkyPyramid& sky, const KernelField& field, const Raster<Light<N>>& light, double hits) {
+  std::vector<Raster<Source<N>>> sources = sourcesByLevel(sky, field, light, hits);
+  Raster<Light<N>> coarse;
   for (int l = static_cast<int>(sources.size()) - 1; l >= 0; --l) {
     const SkyLevel& here = sky.level(l);
-    Grid<Light<N>> out =
+    Raster<Light<N>> out =
         l > 0 ? spreadLevel(here, sources.back(), l) : spreadPixels(field.pixels(), light, hits, sky.levels());
     sources.pop_back();
     divideByOmega(out, here, field.level(l), hits, l);
@@ -176,8 +179,8 @@ Grid<Light<N>> scatter(const SkyPyramid& sky, const KernelField& field, const Gr
   return coarse;
 }
 
-template Grid<Light<1>> scatter(const SkyPyramid&, const KernelField&, const Grid<Light<1>>&, double);
-template Grid<Light<2>> scatter(const SkyPyramid&, const KernelField&, const Grid<Light<2>>&, double);
-template Grid<Light<4>> scatter(const SkyPyramid&, const KernelField&, const Grid<Light<4>>&, double);
+template Raster<Light<1>> scatter(const SkyPyramid&, const KernelField&, const Raster<Light<1>>&, double);
+template Raster<Light<2>> scatter(const SkyPyramid&, const KernelField&, const Raster<Light<2>>&, double);
+template Raster<Light<4>> scatter(const SkyPyramid&, const KernelField&, const Raster<Light<4>>&, double);
 
 }  // namespace parhelion

@@ -23,10 +23,10 @@ using Light = std::array<float, N>;
 /// Kernels are round or elliptic in pixels. Where the projection distorts, they are not so in the sky. Only the
 /// division takes the distortion into account. So a sky of constant radiance comes out constant, up to the border.
 template <std::size_t N>
-Grid<Light<N>> scatter(const SkyPyramid& sky, const KernelField& field, const Grid<Light<N>>& light, double hits);
+Raster<Light<N>> scatter(const SkyPyramid& sky, const KernelField& field, const Raster<Light<N>>& light, double hits);
 
-extern template Grid<Light<1>> scatter(const SkyPyramid&, const KernelField&, const Grid<Light<1>>&, double);
-extern template Grid<Light<2>> scatter(const SkyPyramid&, const KernelField&, const Grid<Light<2>>&, double);
-extern template Grid<Light<4>> scatter(const SkyPyramid&, const KernelField&, const Grid<Light<4>>&, double);
+extern template Raster<Light<1>> scatter(const SkyPyramid&, const KernelField&, const Raster<Light<1>>&, double);
+extern template Raster<Light<2>> scatter(const SkyPyramid&, const KernelField&, const Raster<Light<2>>&, double);
+extern template Raster<Light<4>> scatter(const SkyPyramid&, const KernelField&, const Raster<Light<4>>&, double);
 
 }  // namespace parhelion

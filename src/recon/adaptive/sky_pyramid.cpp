@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "recon/adaptive/sky_pyramid.h"
 
+#include "parallel/loops.h"
+#include "recon/adaptive/halving.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -9,9 +12,9 @@ namespace parhelion {
 namespace {
 
 /// Chessboard distance to the nearest cell without sky, in two passes, and to the poles.
-Grid<std::uint8_t> borderDistance(const Grid<float>& omega, const std::vector<int>& poles, int pixelsPerCell) {
+Raster<std::uint8_t> borderDistance(const Raster<float>& omega, const std::vector<int>& poles, int pixelsPerCell) {
   const int width = omega.width(), height = omega.height();
-  Grid<std::uint8_t> distance(width, height);
+  Raster<std::uint8_t> distance(width, height);
   const auto at = [&](int x, int y) {
     return x < 0 || y < 0 || x >= width || y >= height ? 0 : static_cast<int>(distance.at(x, y));
   };
@@ -38,24 +41,17 @@ Grid<std::uint8_t> borderDistance(const Grid<float>& omega, const std::vector<in
   return distance;
 }
 
-Grid<float> meansOfFour(const Grid<float>& fine) {
-  Grid<float> coarse((fine.width() + 1) / 2, (fine.height() + 1) / 2);
-  forRows(coarse.height(), [&](int y) {
-    for (int x = 0; x < coarse.width(); ++x) {
-      const int x1 = 2 * x + 1, y1 = 2 * y + 1;
-      float sum = fine.at(2 * x, 2 * y);
-      if (x1 < fine.width()) sum += fine.at(x1, 2 * y);
-      if (y1 < fine.height()) sum += fine.at(2 * x, y1);
-      if (x1 < fine.width() && y1 < fine.height()) sum += fine.at(x1, y1);
-      coarse.at(x, y) = 0.25F * sum;
-    }
-  });
-  return coarse;
+/// Means over cells of 2 x 2; what the cells at the right and lower border lack counts as 0.
+Raster<float> meansOfFour(const Raster<float>& fine) {
+  Raster<float> means =
+      gathered<float>(fine.width(), fine.height(), [&](float& cell, int x, int y) { cell += fine.at(x, y); });
+  for (float& mean : means) mean *= 0.25F;
+  return means;
 }
 
 /// At the border the value of the largest neighbour, elsewhere the pixel's own.
-Grid<float> filledUp(const Grid<float>& omega, const Grid<std::uint8_t>& border) {
-  Grid<float> whole = omega;
+Raster<float> filledUp(const Raster<float>& omega, const Raster<std::uint8_t>& border) {
+  Raster<float> whole = omega;
   forRows(omega.height(), [&](int y) {
     for (int x = 0; x < omega.width(); ++x) {
       if (border.at(x, y) != 1) continue;
@@ -80,13 +76,13 @@ SkyPyramid::SkyPyramid(int width, int height, const std::vector<double>& solidAn
   }
   if (skyPixels_ > 0) meanSolidAngle_ = sum / static_cast<double>(skyPixels_);
 
-  Grid<float> omega(width, height);
+  Raster<float> omega(width, height);
   for (std::size_t i = 0; i < omega.size(); ++i) {
     if (solidAngles[i] > 0.0) omega[i] = static_cast<float>(solidAngles[i] / meanSolidAngle_);
   }
-  Grid<std::uint8_t> border = borderDistance(omega, frame_.poles, 1);
+  Raster<std::uint8_t> border = borderDistance(omega, frame_.poles, 1);
   wholeOmega_ = filledUp(omega, border);
-  Grid<float> coverage(width, height);
+  Raster<float> coverage(width, height);
   for (std::size_t i = 0; i < omega.size(); ++i) {
     if (omega[i] > 0.0F) coverage[i] = 1.0F;
   }

@@ -4,20 +4,20 @@
 #include <cstdint>
 #include <vector>
 
-#include "recon/grid.h"
+#include "picture/raster.h"
 
 namespace parhelion {
 
 /// Where a picture shows sky, at one resolution. Cells of level l cover 2^l x 2^l pixels.
 struct SkyLevel {
   /// Solid angle of the cell per pixel area, relative to the mean pixel that shows sky; 0 where there is no sky.
-  Grid<float> omega;
+  Raster<float> omega;
   /// Share of the cell's pixels that show sky, whatever their solid angle: below 1 only at the border.
-  Grid<float> coverage;
+  Raster<float> coverage;
   /// Columns or rows, whichever are more, to the nearest cell without sky or outside the picture: 0 for such a cell
   /// itself, at most 255. A pole lies between cells of 2: kernels that reach it see less sky on its other side than
   /// they would if the solid angle went on as it does on theirs.
-  Grid<std::uint8_t> border;
+  Raster<std::uint8_t> border;
 
   int width() const { return omega.width(); }
   int height() const { return omega.height(); }
@@ -47,7 +47,7 @@ class SkyPyramid {
 
   /// Relative solid angle a pixel would have if sky filled it: at the border that of its largest neighbour. Kernels go
   /// by it, for a pixel cut by the image circle is not in a thinner part of the sky.
-  const Grid<float>& wholeOmega() const { return wholeOmega_; }
+  const Raster<float>& wholeOmega() const { return wholeOmega_; }
 
   /// How many times wider than high a circle in the sky is in this row.
   float stretch(int y) const { return frame_.stretch.empty() ? 1.0F : frame_.stretch[static_cast<std::size_t>(y)]; }
@@ -69,7 +69,7 @@ class SkyPyramid {
   SkyPyramid() = default;
 
   std::vector<SkyLevel> levels_;
-  Grid<float> wholeOmega_;
+  Raster<float> wholeOmega_;
   SkyFrame frame_;
   std::size_t skyPixels_ = 0;
   double meanSolidAngle_ = 0.0;

@@ -5,7 +5,9 @@
 #include <cmath>
 
 #include "math/portable.h"
+#include "parallel/loops.h"
 #include "recon/integral_image.h"
+#include "recon/kernel_variance.h"
 
 namespace parhelion {
 namespace {
@@ -18,8 +20,8 @@ struct Tensor {
 };
 
 /// log(density + a little), so that noise and arcs count alike in the bright and in the dark.
-Grid<float> logDensity(const SkyPyramid& sky, const Grid<Light<1>>& density, float little) {
-  Grid<float> result(sky.width(), sky.height());
+Raster<float> logDensity(const SkyPyramid& sky, const Raster<Light<1>>& density, float little) {
+  Raster<float> result(sky.width(), sky.height());
   forRows(sky.height(), [&](int y) {
     for (int x = 0; x < sky.width(); ++x)
       result.at(x, y) = static_cast<float>(portable::log(static_cast<double>(density.at(x, y)[0] + little)));
@@ -27,7 +29,7 @@ Grid<float> logDensity(const SkyPyramid& sky, const Grid<Light<1>>& density, flo
   return result;
 }
 
-double meanOverSky(const SkyPyramid& sky, const Grid<Light<1>>& density) {
+double meanOverSky(const SkyPyramid& sky, const Raster<Light<1>>& density) {
   const double sum = sumOverRows(sky.height(), [&](int y) {
     double row = 0.0;
     for (int x = 0; x < sky.width(); ++x) row += static_cast<double>(density.at(x, y)[0]);
@@ -38,11 +40,11 @@ double meanOverSky(const SkyPyramid& sky, const Grid<Light<1>>& density) {
 
 /// Products of the slopes; zero at the border, where there are none. The unit of length is such that a circle in the
 /// sky is round and a pixel has the area 1.
-Grid<Tensor> tensors(const SkyPyramid& sky, const Grid<Light<1>>& density, double hits) {
+Raster<Tensor> tensors(const SkyPyramid& sky, const Raster<Light<1>>& density, double hits) {
   constexpr double kLittle = 0.02;  // of the mean
   const float little = static_cast<float>(kLittle * meanOverSky(sky, density));
-  const Grid<float> log = logDensity(sky, density, little);
-  Grid<Tensor> result(sky.width(), sky.height());
+  const Raster<float> log = logDensity(sky, density, little);
+  Raster<Tensor> result(sky.width(), sky.height());
   forRows(sky.height(), [&](int y) {
     const float widthUnit = std::sqrt(sky.stretch(y));
     for (int x = 0; x < sky.width(); ++x) {
@@ -81,8 +83,8 @@ KernelShape shapeOf(const Tensor& t, double variance) {
 
 }  // namespace
 
-Grid<KernelShape> kernelShapes(const SkyPyramid& sky, const Grid<Light<1>>& density, double hits) {
-  const Grid<Tensor> tensor = tensors(sky, density, hits);
+Raster<KernelShape> kernelShapes(const SkyPyramid& sky, const Raster<Light<1>>& density, double hits) {
+  const Raster<Tensor> tensor = tensors(sky, density, hits);
   const int width = sky.width(), height = sky.height();
   const auto sums = [&](float Tensor::*part) {
     return IntegralImage<double>(width, height, [&, part](int x, int y) { return tensor.at(x, y).*part; });
@@ -91,14 +93,14 @@ Grid<KernelShape> kernelShapes(const SkyPyramid& sky, const Grid<Light<1>>& dens
   const IntegralImage<double> pixels(width, height, [&](int x, int y) { return sky.pixels().border.at(x, y) >= 2; });
 
   constexpr double kWindow = 6.0;  // standard deviations of the pilot's kernels
-  Grid<KernelShape> shapes(width, height);
+  Raster<KernelShape> shapes(width, height);
   forRows(height, [&](int y) {
     for (int x = 0; x < width; ++x) {
       if (sky.pixels().omega.at(x, y) <= 0.0F) continue;
       const float perPixel = density.at(x, y)[0] * sky.wholeOmega().at(x, y);
       const double variance = static_cast<double>(kernelVariance(hits, perPixel));
       // A square of half side r has the variance r^2 / 3.
-      const int r = std::max(2, static_cast<int>(std::min(kWindow * std::sqrt(3.0 * variance), 1e5)));
+      const int r = std::max(2, static_cast<int>(std::min(kWindow * std::sqrt(3.0 * variance), kBeyondAnyPicture)));
       const double count = pixels.square(x, y, r);
       if (count <= 0.0) {
         shapes.at(x, y) = KernelShape{}.stretched(sky.stretch(y));

@@ -11,6 +11,6 @@ namespace parhelion {
 ///
 /// From the structure tensor of log(density) over windows much wider than the pilot's kernels. Where windows are as
 /// small as these, noise looks like arcs everywhere.
-Grid<KernelShape> kernelShapes(const SkyPyramid& sky, const Grid<Light<1>>& density, double hits);
+Raster<KernelShape> kernelShapes(const SkyPyramid& sky, const Raster<Light<1>>& density, double hits);
 
 }  // namespace parhelion

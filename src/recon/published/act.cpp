@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "parallel/loops.h"
 #include "recon/methods.h"
 #include "recon/published/filter_size.h"
 #include "recon/published/fourier.h"
@@ -14,10 +15,11 @@ namespace parhelion {
 
 namespace {
 
-constexpr double kMargin = 4.0;      // sampling periods by which edges that do not touch are kept apart
-constexpr double kRounding = 1e-14;  // of the residual relative to the right side: nothing is left to fit
+constexpr double kMargin = 4.0;        // sampling periods by which edges that do not touch are kept apart
+constexpr double kLostDigits = 1e-12;  // relative: a quotient just below a whole number counts as that
+constexpr double kRounding = 1e-14;    // of the residual relative to the right side: nothing is left to fit
 
-using Pictures = std::vector<Grid<double>>;
+using Pictures = std::vector<Raster<double>>;
 
 // One axis of the polynomial: its period in pixels, its highest frequency, and the points of the grid on which products
 // of polynomials by the weights are exact.
@@ -27,12 +29,12 @@ struct Axis {
   Axis(int side, bool wrap, double samplingPeriod) {
     const double margin = std::min(std::ceil(kMargin * samplingPeriod), 3.0 * side);
     period = wrap || side == 1 ? side : fastLength(side + static_cast<int>(margin));
-    degree = static_cast<int>(std::min(period / (2.0 * samplingPeriod) * (1.0 + 1e-12), period / 2.0));
+    degree = static_cast<int>(std::min(period / (2.0 * samplingPeriod) * (1.0 + kLostDigits), period / 2.0));
     points = std::min(period, fastLength(4 * degree + 1));
   }
 };
 
-double innerProduct(const Grid<double>& a, const Grid<double>& b) {
+double innerProduct(const Raster<double>& a, const Raster<double>& b) {
   return sumOverRows(a.height(), [&](int y) {
     double sum = 0.0;
     for (int x = 0; x < a.width(); ++x) sum += a.at(x, y) * b.at(x, y);
@@ -77,7 +79,7 @@ class NormalEquations {
   }
 
   Pictures apply(Pictures polynomials) const {
-    for (Grid<double>& p : polynomials) {
+    for (Raster<double>& p : polynomials) {
       for (std::size_t i = 0; i < p.size(); ++i) p[i] *= weights_[i];
     }
     return band_(polynomials);
@@ -96,11 +98,11 @@ class NormalEquations {
   }
 
   // The values of a polynomial on the whole period.
-  Grid<double> evaluate(const Grid<double>& polynomial) const { return resample(polynomial, x_.period, y_.period); }
+  Raster<double> evaluate(const Raster<double>& polynomial) const { return resample(polynomial, x_.period, y_.period); }
 
  private:
   static LowPass bandPass(const Axis& x, const Axis& y, double period) {
-    Grid<double> transfer(x.points, y.points);
+    Raster<double> transfer(x.points, y.points);
     for (int j = 0; j < y.points; ++j) {
       for (int i = 0; i < x.points; ++i) {
         const int kx = signedFrequency(i, x.points), ky = signedFrequency(j, y.points);
@@ -110,8 +112,8 @@ class NormalEquations {
     return LowPass(std::move(transfer));
   }
 
-  Grid<double> onSmallGrid(const std::vector<double>& values) const {
-    Grid<double> scattered(x_.period, y_.period);
+  Raster<double> onSmallGrid(const std::vector<double>& values) const {
+    Raster<double> scattered(x_.period, y_.period);
     for (std::size_t i = 0; i < values.size(); ++i) {
       scattered.at(static_cast<int>(known_.pixels[i] % width_), static_cast<int>(known_.pixels[i] / width_)) =
           values[i];
@@ -123,7 +125,7 @@ class NormalEquations {
   std::size_t width_;
   Axis x_, y_;
   LowPass band_;
-  Grid<double> weights_;
+  Raster<double> weights_;
 };
 
 // Starts from the means, which no step has then to find.
@@ -153,9 +155,9 @@ Reconstruction fitPolynomial(const HitMap& map, const KnownValues& known, double
                              const Watch& watch) {
   const NormalEquations equations(map, known, period);
   Reconstruction result;
-  for (const Grid<double>& solution : conjugateGradients(equations, iterations, watch)) {
-    const Grid<double> whole = equations.evaluate(solution);
-    Grid<double>& picture = result.lights.emplace_back(map.width(), map.height());
+  for (const Raster<double>& solution : conjugateGradients(equations, iterations, watch)) {
+    const Raster<double> whole = equations.evaluate(solution);
+    Raster<double>& picture = result.lights.emplace_back(map.width(), map.height());
     forRows(map.height(), [&](int y) {
       for (int x = 0; x < map.width(); ++x) picture.at(x, y) = map.omega.at(x, y) > 0.0 ? whole.at(x, y) : 0.0;
     });

@@ -21,7 +21,7 @@ double weightedRms(const std::vector<double>& values, const std::vector<double>&
 }
 
 std::vector<std::vector<double>> residuals(const KnownValues& known, const Sample& sample,
-                                           const std::vector<Grid<double>>& pictures) {
+                                           const std::vector<Raster<double>>& pictures) {
   std::vector<std::vector<double>> rest = known.lights;
   for (std::size_t k = 0; k < rest.size(); ++k) {
     const std::vector<double> values = sample(pictures[k]);
@@ -30,7 +30,7 @@ std::vector<std::vector<double>> residuals(const KnownValues& known, const Sampl
   return rest;
 }
 
-void add(std::vector<Grid<double>>& pictures, double factor, const std::vector<Grid<double>>& more) {
+void add(std::vector<Raster<double>>& pictures, double factor, const std::vector<Raster<double>>& more) {
   for (std::size_t k = 0; k < pictures.size(); ++k) {
     for (std::size_t i = 0; i < pictures[k].size(); ++i) pictures[k][i] += factor * more[k][i];
   }
@@ -59,7 +59,7 @@ KnownValues hitPixels(const HitMap& map) {
     known.pixels.push_back(i);
     known.weights.push_back(map.omega[i]);
   }
-  for (const Grid<double>& light : map.lights) {
+  for (const Raster<double>& light : map.lights) {
     std::vector<double>& values = known.lights.emplace_back();
     for (const std::size_t i : known.pixels) values.push_back(light[i] / map.omega[i]);
   }
@@ -68,7 +68,7 @@ KnownValues hitPixels(const HitMap& map) {
 
 KnownValues voronoiCells(const HitMap& map, const NearestHits& nearest, HitReading reading) {
   KnownValues known{nearest.pixels(), nearest.cellSums(map.omega), {}};
-  for (const Grid<double>& light : map.lights) {
+  for (const Raster<double>& light : map.lights) {
     std::vector<double>& values = known.lights.emplace_back();
     for (std::size_t i = 0; i < known.pixels.size(); ++i) {
       const std::size_t pixel = known.pixels[i];
@@ -79,7 +79,7 @@ KnownValues voronoiCells(const HitMap& map, const NearestHits& nearest, HitReadi
 }
 
 Sample valuesAt(const std::vector<std::size_t>& pixels) {
-  return [&pixels](const Grid<double>& picture) {
+  return [&pixels](const Raster<double>& picture) {
     std::vector<double> values;
     values.reserve(pixels.size());
     for (const std::size_t i : pixels) values.push_back(picture[i]);
@@ -89,8 +89,8 @@ Sample valuesAt(const std::vector<std::size_t>& pixels) {
 
 Reconstruction allebach(const KnownValues& known, const Sample& sample, const Spread& spread, int iterations,
                         double relaxation, const Watch& watch) {
-  std::vector<Grid<double>> pictures = spread(known.lights);
-  for (Grid<double>& picture : pictures) {
+  std::vector<Raster<double>> pictures = spread(known.lights);
+  for (Raster<double>& picture : pictures) {
     for (std::size_t i = 0; i < picture.size(); ++i) picture[i] *= relaxation;
   }
   if (iterations == 0) return {std::move(pictures), {}};

@@ -27,10 +27,10 @@ KnownValues hitPixels(const HitMap& map);
 KnownValues voronoiCells(const HitMap& map, const NearestHits& nearest, HitReading reading);
 
 /// Makes pictures of values at the known pixels, one per kind of light; linear.
-using Spread = std::function<std::vector<Grid<double>>(const std::vector<std::vector<double>>&)>;
+using Spread = std::function<std::vector<Raster<double>>(const std::vector<std::vector<double>>&)>;
 
 /// What a picture of light per relative solid angle says where values are known; linear.
-using Sample = std::function<std::vector<double>(const Grid<double>&)>;
+using Sample = std::function<std::vector<double>(const Raster<double>&)>;
 
 /// The picture's values at those pixels.
 Sample valuesAt(const std::vector<std::size_t>& pixels);

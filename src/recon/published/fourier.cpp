@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "recon/published/fourier.h"
 
+#include "parallel/loops.h"
+
 #include <algorithm>
 #include <cstdlib>
 #include <vector>
@@ -14,7 +16,7 @@ namespace {
 using Complex = std::complex<double>;
 using Plan = kissfft<double>;
 
-void transformRows(Grid<Complex>& values, bool inverse) {
+void transformRows(Raster<Complex>& values, bool inverse) {
   const Plan plan(static_cast<std::size_t>(values.width()), inverse);
   forRows(values.height(), [&](int y) {
     const Plan own = plan;  // a plan has a scratch buffer: no two threads may share it
@@ -23,7 +25,7 @@ void transformRows(Grid<Complex>& values, bool inverse) {
   });
 }
 
-void transformColumns(Grid<Complex>& values, bool inverse) {
+void transformColumns(Raster<Complex>& values, bool inverse) {
   const auto height = static_cast<std::size_t>(values.height());
   const Plan plan(height, inverse);
   forRows(values.width(), [&](int x) {
@@ -51,18 +53,18 @@ int fastLength(int atLeast) {
   }
 }
 
-void fourier(Grid<Complex>& values, bool inverse) {
+void fourier(Raster<Complex>& values, bool inverse) {
   if (values.width() > 1) transformRows(values, inverse);
   if (values.height() > 1) transformColumns(values, inverse);
 }
 
-Grid<double> resample(const Grid<double>& picture, int width, int height) {
+Raster<double> resample(const Raster<double>& picture, int width, int height) {
   if (width == picture.width() && height == picture.height()) return picture;
-  Grid<Complex> from(picture.width(), picture.height());
+  Raster<Complex> from(picture.width(), picture.height());
   for (std::size_t i = 0; i < from.size(); ++i) from[i] = picture[i];
   fourier(from, false);
 
-  Grid<Complex> to(width, height);
+  Raster<Complex> to(width, height);
   for (int j = 0; j < height; ++j) {
     const int ky = signedFrequency(j, height);
     if (!heldByBoth(ky, height, picture.height())) continue;
@@ -74,7 +76,7 @@ Grid<double> resample(const Grid<double>& picture, int width, int height) {
   }
   fourier(to, true);
 
-  Grid<double> result(width, height);
+  Raster<double> result(width, height);
   const double scale = 1.0 / static_cast<double>(from.size());
   for (std::size_t i = 0; i < to.size(); ++i) result[i] = to[i].real() * scale;
   return result;

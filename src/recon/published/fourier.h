@@ -3,7 +3,7 @@
 
 #include <complex>
 
-#include "recon/grid.h"
+#include "picture/raster.h"
 
 namespace parhelion {
 
@@ -18,10 +18,10 @@ inline int frequencyIndex(int k, int n) { return k >= 0 ? k : k + n; }
 
 /// In-place discrete Fourier transform in both directions, for any size, not scaled: forward and back again multiplies
 /// by the number of values.
-void fourier(Grid<std::complex<double>>& values, bool inverse);
+void fourier(Raster<std::complex<double>>& values, bool inverse);
 
 /// The same periodic picture on another number of points: its trigonometric polynomial of the frequencies that both
 /// grids hold. Exact for polynomials both can hold; an axis of equal length keeps its values.
-Grid<double> resample(const Grid<double>& picture, int width, int height);
+Raster<double> resample(const Raster<double>& picture, int width, int height);
 
 }  // namespace parhelion

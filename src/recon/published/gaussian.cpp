@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "math/portable.h"
+#include "parallel/loops.h"
 #include "recon/methods.h"
 #include "recon/published/filter_size.h"
 
@@ -30,8 +31,8 @@ struct Axis {
   }
 };
 
-Grid<double> convolveRows(const Grid<double>& in, const Axis& axis) {
-  Grid<double> out(in.width(), in.height());
+Raster<double> convolveRows(const Raster<double>& in, const Axis& axis) {
+  Raster<double> out(in.width(), in.height());
   const int width = in.width();
   forRows(in.height(), [&](int y) {
     // The row, continued beyond both edges.
@@ -49,8 +50,8 @@ Grid<double> convolveRows(const Grid<double>& in, const Axis& axis) {
   return out;
 }
 
-Grid<double> convolveColumns(const Grid<double>& in, const Axis& axis) {
-  Grid<double> out(in.width(), in.height());
+Raster<double> convolveColumns(const Raster<double>& in, const Axis& axis) {
+  Raster<double> out(in.width(), in.height());
   const int height = in.height();
   forRows(height, [&](int y) {
     double* row = out.row(y);
@@ -67,12 +68,12 @@ Grid<double> convolveColumns(const Grid<double>& in, const Axis& axis) {
 
 }  // namespace
 
-std::vector<Grid<double>> gaussianMeans(const HitMap& map, double sigma) {
+std::vector<Raster<double>> gaussianMeans(const HitMap& map, double sigma) {
   const Axis rows(map.width(), map.wrapX, sigma), columns(map.height(), map.wrapY, sigma);
-  const Grid<double> sky = convolveColumns(convolveRows(map.omega, rows), columns);
-  std::vector<Grid<double>> means;
-  for (const Grid<double>& light : map.lights) {
-    Grid<double>& mean = means.emplace_back(convolveColumns(convolveRows(light, rows), columns));
+  const Raster<double> sky = convolveColumns(convolveRows(map.omega, rows), columns);
+  std::vector<Raster<double>> means;
+  for (const Raster<double>& light : map.lights) {
+    Raster<double>& mean = means.emplace_back(convolveColumns(convolveRows(light, rows), columns));
     for (std::size_t i = 0; i < mean.size(); ++i) mean[i] = map.omega[i] > 0.0 ? mean[i] / sky[i] : 0.0;
   }
   return means;

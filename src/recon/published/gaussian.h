@@ -7,6 +7,6 @@
 namespace parhelion {
 
 /// The lights under a Gaussian of standard deviation `sigma` (pixels) over omega under the same.
-std::vector<Grid<double>> gaussianMeans(const HitMap& map, double sigma);
+std::vector<Raster<double>> gaussianMeans(const HitMap& map, double sigma);
 
 }  // namespace parhelion

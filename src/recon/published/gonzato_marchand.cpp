@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "math/portable.h"
+#include "parallel/loops.h"
 #include "recon/methods.h"
 #include "recon/published/sinc_filter.h"
 
@@ -15,11 +16,11 @@ constexpr double kPaperSamples = 16.0;  // m of paper gain
 constexpr double kStart = 0.3;          // share of the work before the first iteration
 constexpr double kRounding = 1e-9;      // relative, of a residual that no longer falls
 
-using Lights = std::vector<Grid<double>>;
+using Lights = std::vector<Raster<double>>;
 
 /// The sum of f(value) over a picture.
 template <class F>
-double sumOf(const Grid<double>& grid, const F& f) {
+double sumOf(const Raster<double>& grid, const F& f) {
   return sumOverRows(grid.height(), [&](int y) {
     double sum = 0.0;
     for (int x = 0; x < grid.width(); ++x) sum += f(grid.at(x, y));
@@ -27,14 +28,14 @@ double sumOf(const Grid<double>& grid, const F& f) {
   });
 }
 
-double rms(const Grid<double>& grid) {
+double rms(const Raster<double>& grid) {
   const double squares = sumOf(grid, [](double value) { return value * value; });
   return std::sqrt(squares / static_cast<double>(grid.size()));
 }
 
 /// The m for a map of so many hits. Pixels that hold m hits by themselves count as m: they need no squares, and one hot
 /// pixel must not blur all others.
-double defaultSamples(const Grid<double>& hits) {
+double defaultSamples(const Raster<double>& hits) {
   double samples = hitsPerSquare(sumOf(hits, [](double h) { return h; }));
   for (int round = 0; round < 4; ++round) {
     samples = hitsPerSquare(sumOf(hits, [&](double h) { return std::min(h, samples); }));
@@ -46,7 +47,7 @@ double defaultSamples(const Grid<double>& hits) {
 Lights known(const HitMap& map, KernelGain gain) {
   if (gain == KernelGain::unit) return map.lights;
   Lights values = map.lights;
-  for (Grid<double>& light : values) {
+  for (Raster<double>& light : values) {
     for (std::size_t i = 0; i < light.size(); ++i) light[i] = map.hits()[i] > 0.0 ? light[i] / map.omega[i] : 0.0;
   }
   return values;
@@ -107,7 +108,7 @@ Reconstruction reconstructHits(const HitMap& map, const GonzatoMarchandSettings&
   watch.at(0.0);
   Reconstruction result;
   if (!(sumOf(map.hits(), [](double h) { return h; }) > 0.0)) {
-    result.lights.assign(map.lights.size(), Grid<double>(map.width(), map.height()));
+    result.lights.assign(map.lights.size(), Raster<double>(map.width(), map.height()));
     return result;
   }
   double samples = kPaperSamples;

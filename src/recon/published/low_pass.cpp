@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "parallel/loops.h"
 #include "recon/published/fourier.h"
 #include "recon/published/sinc_kernel.h"
 
@@ -19,8 +20,8 @@ constexpr double kLobes = 1.0;
 // Pixels from the kernel's centre to its end along one axis. No two pixels are as far apart as the side.
 int kernelReach(double period, int side) { return static_cast<int>(std::min(std::ceil(kLobes * period), side - 1.0)); }
 
-Grid<double> sincTransfer(int width, int height, int reachX, int reachY, double period) {
-  Grid<Complex> kernel(width, height);
+Raster<double> sincTransfer(int width, int height, int reachX, int reachY, double period) {
+  Raster<Complex> kernel(width, height);
   double sum = 0.0;
   for (int dy = -reachY; dy <= reachY; ++dy) {
     for (int dx = -reachX; dx <= reachX; ++dx) {
@@ -30,18 +31,18 @@ Grid<double> sincTransfer(int width, int height, int reachX, int reachY, double 
     }
   }
   fourier(kernel, false);
-  Grid<double> transfer(width, height);
+  Raster<double> transfer(width, height);
   for (std::size_t i = 0; i < transfer.size(); ++i) transfer[i] = kernel[i].real() / sum;
   return transfer;
 }
 
 }  // namespace
 
-void LowPass::filterPair(const std::vector<Grid<double>>& pictures, std::size_t first,
-                         std::vector<Grid<double>>& out) const {
+void LowPass::filterPair(const std::vector<Raster<double>>& pictures, std::size_t first,
+                         std::vector<Raster<double>>& out) const {
   // An even kernel has a real transfer function, so two pictures pass as one of complex values.
   const bool two = first + 1 < pictures.size();
-  Grid<Complex> values(transfer_.width(), transfer_.height());
+  Raster<Complex> values(transfer_.width(), transfer_.height());
   const int width = pictures[first].width(), height = pictures[first].height();
   forRows(height, [&](int y) {
     for (int x = 0; x < width; ++x) {
@@ -60,8 +61,8 @@ void LowPass::filterPair(const std::vector<Grid<double>>& pictures, std::size_t 
   }
 }
 
-std::vector<Grid<double>> LowPass::operator()(const std::vector<Grid<double>>& pictures) const {
-  std::vector<Grid<double>> out;
+std::vector<Raster<double>> LowPass::operator()(const std::vector<Raster<double>>& pictures) const {
+  std::vector<Raster<double>> out;
   for (std::size_t first = 0; first < pictures.size(); first += 2) filterPair(pictures, first, out);
   return out;
 }
@@ -73,7 +74,7 @@ bool passes(int kx, int periodX, int ky, int periodY, double period) {
 }
 
 LowPass idealLowPass(int width, int height, double period) {
-  Grid<double> transfer(width, height);
+  Raster<double> transfer(width, height);
   for (int j = 0; j < height; ++j) {
     for (int i = 0; i < width; ++i) {
       const bool pass = passes(signedFrequency(i, width), width, signedFrequency(j, height), height, period);
@@ -95,9 +96,9 @@ SkyLowPass::SkyLowPass(const HitMap& map, double period)
   for (std::size_t i = 0; i < gain_.size(); ++i) gain_[i] = map.omega[i] > 0.0 ? 1.0 / gain_[i] : 0.0;
 }
 
-std::vector<Grid<double>> SkyLowPass::operator()(const std::vector<Grid<double>>& light) const {
-  std::vector<Grid<double>> out = filter_(light);
-  for (Grid<double>& picture : out) {
+std::vector<Raster<double>> SkyLowPass::operator()(const std::vector<Raster<double>>& light) const {
+  std::vector<Raster<double>> out = filter_(light);
+  for (Raster<double>& picture : out) {
     for (std::size_t i = 0; i < picture.size(); ++i) picture[i] *= gain_[i];
   }
   return out;

@@ -13,15 +13,16 @@ class LowPass {
  public:
   /// `transfer` holds what becomes of each frequency; its size, at least that of the pictures, is the period in which
   /// they are continued by zeros.
-  explicit LowPass(Grid<double> transfer) : transfer_(std::move(transfer)) {}
+  explicit LowPass(Raster<double> transfer) : transfer_(std::move(transfer)) {}
 
   /// The filtered pictures. All have one size.
-  std::vector<Grid<double>> operator()(const std::vector<Grid<double>>& pictures) const;
+  std::vector<Raster<double>> operator()(const std::vector<Raster<double>>& pictures) const;
 
  private:
-  void filterPair(const std::vector<Grid<double>>& pictures, std::size_t first, std::vector<Grid<double>>& out) const;
+  void filterPair(const std::vector<Raster<double>>& pictures, std::size_t first,
+                  std::vector<Raster<double>>& out) const;
 
-  Grid<double> transfer_;
+  Raster<double> transfer_;
 };
 
 /// Whether a low-pass of the sampling period Ts (pixels) passes kx waves in `periodX` pixels and ky in `periodY`:
@@ -41,11 +42,11 @@ class SkyLowPass {
   SkyLowPass(const HitMap& map, double period);
 
   /// What becomes of pictures of light per pixel: light per relative solid angle.
-  std::vector<Grid<double>> operator()(const std::vector<Grid<double>>& light) const;
+  std::vector<Raster<double>> operator()(const std::vector<Raster<double>>& light) const;
 
  private:
   LowPass filter_;
-  Grid<double> gain_;  // 1 / (K * omega), 0 without sky
+  Raster<double> gain_;  // 1 / (K * omega), 0 without sky
 };
 
 }  // namespace parhelion

@@ -12,7 +12,7 @@ Reconstruction reconstructHits(const HitMap& map, const MarvastiSettings& settin
   const double period = settings.period.value_or(sizeByHits(map, kMarvastiPeriod));
   const SkyLowPass filter(map, period);
   const auto spread = [&](const std::vector<std::vector<double>>& values) {
-    std::vector<Grid<double>> light(values.size(), Grid<double>(map.width(), map.height()));
+    std::vector<Raster<double>> light(values.size(), Raster<double>(map.width(), map.height()));
     for (std::size_t k = 0; k < values.size(); ++k) {
       for (std::size_t i = 0; i < known.pixels.size(); ++i) light[k][known.pixels[i]] = values[k][i] * known.weights[i];
     }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "recon/published/nearest_hits.h"
 
+#include "parallel/loops.h"
+
 #include <cstdint>
 
 namespace parhelion {
@@ -10,8 +12,8 @@ namespace {
 constexpr int kNone = -1;
 
 // Every pixel's index among the hits, or kNone.
-Grid<int> indexHits(const HitMap& map, std::vector<std::size_t>& pixels) {
-  Grid<int> index(map.width(), map.height(), kNone);
+Raster<int> indexHits(const HitMap& map, std::vector<std::size_t>& pixels) {
+  Raster<int> index(map.width(), map.height(), kNone);
   for (std::size_t i = 0; i < index.size(); ++i) {
     if (!(map.hits()[i] > 0.0)) continue;
     index[i] = static_cast<int>(pixels.size());
@@ -21,9 +23,9 @@ Grid<int> indexHits(const HitMap& map, std::vector<std::size_t>& pixels) {
 }
 
 // Rows from each pixel to the nearest hit of its column, kNone if the column has none.
-Grid<int> columnDistances(const Grid<int>& index, bool wrapY) {
+Raster<int> columnDistances(const Raster<int>& index, bool wrapY) {
   const int height = index.height();
-  Grid<int> distance(index.width(), height, kNone);
+  Raster<int> distance(index.width(), height, kNone);
   forRows(index.width(), [&](int x) {
     // Downwards and upwards; round twice where the edges touch.
     for (const bool down : {true, false}) {
@@ -79,7 +81,7 @@ std::vector<Parabola> lowerEnvelope(const int* distances, int width, bool wrapX)
 
 // One row's search for the nearest.
 struct RowSearch {
-  const Grid<int>& index;
+  const Raster<int>& index;
   int y;
   bool wrapX, wrapY;
 
@@ -112,8 +114,8 @@ struct RowSearch {
 }  // namespace
 
 NearestHits::NearestHits(const HitMap& map) : width_(map.width()), height_(map.height()) {
-  const Grid<int> index = indexHits(map, pixels_);
-  const Grid<int> distances = columnDistances(index, map.wrapY);
+  const Raster<int> index = indexHits(map, pixels_);
+  const Raster<int> distances = columnDistances(index, map.wrapY);
   rows_.resize(static_cast<std::size_t>(height_));
   forRows(height_, [&](int y) {
     Row& row = rows_[static_cast<std::size_t>(y)];
@@ -128,7 +130,7 @@ NearestHits::NearestHits(const HitMap& map) : width_(map.width()), height_(map.h
   });
 }
 
-std::vector<double> NearestHits::cellSums(const Grid<double>& picture) const {
+std::vector<double> NearestHits::cellSums(const Raster<double>& picture) const {
   std::vector<double> result(pixels_.size());
   for (int y = 0; y < height_; ++y) {
     for (int x = 0; x < width_; ++x) {
@@ -140,8 +142,8 @@ std::vector<double> NearestHits::cellSums(const Grid<double>& picture) const {
   return result;
 }
 
-Grid<double> NearestHits::interpolate(const std::vector<double>& values) const {
-  Grid<double> picture(width_, height_);
+Raster<double> NearestHits::interpolate(const std::vector<double>& values) const {
+  Raster<double> picture(width_, height_);
   forRows(height_, [&](int y) {
     for (int x = 0; x < width_; ++x) {
       const std::span<const int> hits = of(x, y);

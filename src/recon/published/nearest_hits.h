@@ -30,10 +30,10 @@ class NearestHits {
   }
 
   /// Sums over each hit's cell, pixels equally near to several being shared: of omega its area.
-  std::vector<double> cellSums(const Grid<double>& picture) const;
+  std::vector<double> cellSums(const Raster<double>& picture) const;
 
   /// The picture in which every pixel has the value of its nearest hit, or the mean of those equally near.
-  Grid<double> interpolate(const std::vector<double>& values) const;
+  Raster<double> interpolate(const std::vector<double>& values) const;
 
  private:
   struct Row {

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "parallel/loops.h"
 #include "recon/published/sinc_kernel.h"
 
 namespace parhelion {
@@ -52,7 +53,7 @@ std::size_t SincBank::step(int radius) {
 
 int SincBank::rounded(int radius) { return radiusOf(step(radius)); }
 
-SincBank::SincBank(const Grid<int>& radii, const PictureShape& shape, double lobes, KernelGain gain) {
+SincBank::SincBank(const Raster<int>& radii, const PictureShape& shape, double lobes, KernelGain gain) {
   index_.assign(step(std::max(shape.width, shape.height)) + 1, -1);
   for (std::size_t i = 0; i < radii.size(); ++i) index_[step(radii[i])] = 0;
   int count = 0;
@@ -60,7 +61,7 @@ SincBank::SincBank(const Grid<int>& radii, const PictureShape& shape, double lob
     if (index == 0) index = count++;
   }
   kernels_.resize(static_cast<std::size_t>(count), SincKernel(0.0, lobes, gain, false, false));
-  tbb::parallel_for(std::size_t{0}, index_.size(), [&](std::size_t s) {
+  forEach(index_.size(), [&](std::size_t s) {
     if (index_[s] < 0) return;
     kernels_[static_cast<std::size_t>(index_[s])] =
         SincKernel(radiusOf(s), lobes, gain, shape.width == 1, shape.height == 1);
@@ -73,7 +74,7 @@ std::size_t SincBank::bytes() const {
   return sum;
 }
 
-double sumUnder(const SincKernel& kernel, const Grid<float>& grid, int x, int y, const PictureShape& shape) {
+double sumUnder(const SincKernel& kernel, const Raster<float>& grid, int x, int y, const PictureShape& shape) {
   double sum = 0.0;
   forColumns(y, kernel.reachY(), shape.height, shape.wrapY, [&](int top, int rows, int dy) {
     for (int j = 0; j < rows; ++j) {

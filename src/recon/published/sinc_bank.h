@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "recon/grid.h"
+#include "picture/raster.h"
 #include "recon/recon_settings.h"
 
 namespace parhelion {
@@ -49,7 +49,7 @@ class SincKernel {
 /// there are 16 to an octave, so that they fit into memory: 5 MB for a radius of 255, 320 MB for 2047.
 class SincBank {
  public:
-  SincBank(const Grid<int>& radii, const PictureShape& shape, double lobes, KernelGain gain);
+  SincBank(const Raster<int>& radii, const PictureShape& shape, double lobes, KernelGain gain);
 
   const SincKernel& at(int radius) const { return kernels_[static_cast<std::size_t>(index_[step(radius)])]; }
   std::size_t bytes() const;
@@ -92,6 +92,6 @@ T dot(const float* a, const T* b, int count) {
 }
 
 /// The sum of a grid's values under a kernel.
-double sumUnder(const SincKernel& kernel, const Grid<float>& grid, int x, int y, const PictureShape& shape);
+double sumUnder(const SincKernel& kernel, const Raster<float>& grid, int x, int y, const PictureShape& shape);
 
 }  // namespace parhelion

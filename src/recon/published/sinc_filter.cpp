@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "parallel/loops.h"
 #include "recon/published/sky_balance.h"
 
 namespace parhelion {
@@ -21,14 +22,14 @@ SincFilter::SincFilter(const HitMap& map, const GonzatoMarchandSettings& setting
   toBalance_ = reachesBeyond(countedSky_, sky_, radii_, bank_);
 }
 
-std::vector<Grid<double>> SincFilter::operator()(const std::vector<Grid<double>>& lights) const {
+std::vector<Raster<double>> SincFilter::operator()(const std::vector<Raster<double>>& lights) const {
   const std::vector<LitRow> sources = litRows(lights);
   const int width = sky_.shape.width, height = sky_.shape.height;
-  std::vector<Grid<double>> out(lights.size(), Grid<double>(width, height));
+  std::vector<Raster<double>> out(lights.size(), Raster<double>(width, height));
   if (settings_.flow == KernelFlow::scatter) {
     constexpr int kBand = 16;  // rows; every band adds up all its sources in the same order
-    tbb::parallel_for(0, (height + kBand - 1) / kBand,
-                      [&](int band) { scatterRows(sources, band * kBand, std::min((band + 1) * kBand, height), out); });
+    forEach((height + kBand - 1) / kBand,
+            [&](int band) { scatterRows(sources, band * kBand, std::min((band + 1) * kBand, height), out); });
   } else {
     std::vector<int> litAt;  // rows with any light
     for (int y = 0; y < height; ++y) {
@@ -39,7 +40,7 @@ std::vector<Grid<double>> SincFilter::operator()(const std::vector<Grid<double>>
   forRows(height, [&](int y) {
     for (int x = 0; x < width; ++x) {
       const double gain = outputGain(x, y);
-      for (Grid<double>& light : out) light.at(x, y) *= gain;
+      for (Raster<double>& light : out) light.at(x, y) *= gain;
     }
   });
   return out;
@@ -50,16 +51,16 @@ double SincFilter::outputGain(int x, int y) const {
   return settings_.gain == KernelGain::paper ? 1.0 : static_cast<double>(factors_.at(x, y)) / sky_.whole.at(x, y);
 }
 
-std::vector<SincFilter::LitRow> SincFilter::litRows(const std::vector<Grid<double>>& lights) const {
+std::vector<SincFilter::LitRow> SincFilter::litRows(const std::vector<Raster<double>>& lights) const {
   const bool balanced = settings_.flow == KernelFlow::scatter && settings_.gain == KernelGain::unit;
   std::vector<LitRow> rows(static_cast<std::size_t>(sky_.shape.height));
   forRows(sky_.shape.height, [&](int y) {
     LitRow& row = rows[static_cast<std::size_t>(y)];
     for (int x = 0; x < sky_.shape.width; ++x) {
       if (sky_.share.at(x, y) <= 0.0F) continue;
-      if (std::ranges::all_of(lights, [&](const Grid<double>& light) { return light.at(x, y) == 0.0; })) continue;
+      if (std::ranges::all_of(lights, [&](const Raster<double>& light) { return light.at(x, y) == 0.0; })) continue;
       row.columns.push_back(x);
-      for (const Grid<double>& light : lights) row.amounts.push_back(light.at(x, y));
+      for (const Raster<double>& light : lights) row.amounts.push_back(light.at(x, y));
       row.reach = std::max(row.reach, bank_.at(radii_.at(x, y)).reachY());
     }
     if (balanced) balanceSources(row, y, lights.size());
@@ -78,7 +79,7 @@ void SincFilter::balanceSources(LitRow& row, int y, std::size_t kinds) const {
 }
 
 void SincFilter::scatterRows(const std::vector<LitRow>& sources, int first, int last,
-                             std::vector<Grid<double>>& out) const {
+                             std::vector<Raster<double>>& out) const {
   const PictureShape& shape = sky_.shape;
   const std::size_t kinds = out.size();
   // Adds one row of a kernel around (x, y).
@@ -108,7 +109,7 @@ void SincFilter::scatterRows(const std::vector<LitRow>& sources, int first, int 
 }
 
 void SincFilter::gatherRow(const std::vector<LitRow>& sources, const std::vector<int>& litAt,
-                           const std::vector<Grid<double>>& lights, int y, std::vector<Grid<double>>& out) const {
+                           const std::vector<Raster<double>>& lights, int y, std::vector<Raster<double>>& out) const {
   const PictureShape& shape = sky_.shape;
   const std::size_t kinds = out.size();
   // What (x, y) gets from columns `from` to `from + count` of a row through `weights`.

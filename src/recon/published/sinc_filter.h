@@ -19,9 +19,9 @@ class SincFilter {
 
   /// Unit gain: light per pixel to light per relative solid angle. Paper gain: values to values. Pixels without any
   /// light cost next to nothing.
-  std::vector<Grid<double>> operator()(const std::vector<Grid<double>>& lights) const;
+  std::vector<Raster<double>> operator()(const std::vector<Raster<double>>& lights) const;
 
-  const Grid<int>& radii() const { return radii_; }
+  const Raster<int>& radii() const { return radii_; }
   const SincBank& bank() const { return bank_; }
 
  private:
@@ -32,20 +32,20 @@ class SincFilter {
     int reach = 0;                // rows that the highest of their kernels extends to
   };
 
-  std::vector<LitRow> litRows(const std::vector<Grid<double>>& lights) const;
+  std::vector<LitRow> litRows(const std::vector<Raster<double>>& lights) const;
   void balanceSources(LitRow& row, int y, std::size_t kinds) const;
-  void scatterRows(const std::vector<LitRow>& sources, int first, int last, std::vector<Grid<double>>& out) const;
+  void scatterRows(const std::vector<LitRow>& sources, int first, int last, std::vector<Raster<double>>& out) const;
   void gatherRow(const std::vector<LitRow>& sources, const std::vector<int>& litAt,
-                 const std::vector<Grid<double>>& lights, int y, std::vector<Grid<double>>& out) const;
+                 const std::vector<Raster<double>>& lights, int y, std::vector<Raster<double>>& out) const;
   double outputGain(int x, int y) const;
 
   GonzatoMarchandSettings settings_;
   SkyExtent sky_;
-  Grid<int> radii_;
+  Raster<int> radii_;
   SincBank bank_;
-  Grid<float> factors_;     // unit gain: of targets
-  Grid<float> countedSky_;  // scatter of unit gain: share of sky times factor
-  Grid<char> toBalance_;    // scatter of unit gain: whether a pixel's kernel reaches anything but ones of it
+  Raster<float> factors_;     // unit gain: of targets
+  Raster<float> countedSky_;  // scatter of unit gain: share of sky times factor
+  Raster<char> toBalance_;    // scatter of unit gain: whether a pixel's kernel reaches anything but ones of it
 };
 
 }  // namespace parhelion

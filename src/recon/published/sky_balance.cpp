@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "math/portable.h"
+#include "parallel/loops.h"
 
 namespace parhelion {
 namespace {
@@ -19,9 +20,9 @@ constexpr double kRounds[] = {1.5, 1.0245, 1.9755, 1.2061, 1.7939};
 /// What is balanced together: pixels, or cells of several. Cells without a kernel keep their factor.
 struct Cells {
   PictureShape shape;
-  Grid<float> share;
-  Grid<const SincKernel*> kernels;
-  Grid<float> factors;
+  Raster<float> share;
+  Raster<const SincKernel*> kernels;
+  Raster<float> factors;
 };
 
 /// How cells of a level lie over pixels. Outside the picture there is one more row of cells, and as many as a kernel
@@ -59,9 +60,9 @@ bool leaves(int at, int reach, int length, bool wrap) { return !wrap && (at < re
 /// Where kernelAt(x, y), if there is one, or at most `margin` pixels around it, reaches beyond the picture or to where
 /// isOne(x, y) is false.
 template <class KernelAt, class IsOne>
-Grid<char> reaching(const PictureShape& shape, const KernelAt& kernelAt, int margin, const IsOne& isOne) {
+Raster<char> reaching(const PictureShape& shape, const KernelAt& kernelAt, int margin, const IsOne& isOne) {
   const SquareSums others(shape, [&](int x, int y) { return isOne(x, y) ? 0 : 1; });
-  Grid<char> result(shape.width, shape.height);
+  Raster<char> result(shape.width, shape.height);
   forRows(shape.height, [&](int y) {
     for (int x = 0; x < shape.width; ++x) {
       const SincKernel* kernel = kernelAt(x, y);
@@ -78,16 +79,17 @@ Grid<char> reaching(const PictureShape& shape, const KernelAt& kernelAt, int mar
 /// Where kernels are to be balanced: those that reach the border, and those that reach them or nearly. The latter's
 /// factors differ from 1 by a thousandth.
 template <class KernelAt>
-Grid<char> toBalance(const PictureShape& shape, const Grid<float>& share, const KernelAt& kernelAt, KernelFlow flow) {
+Raster<char> toBalance(const PictureShape& shape, const Raster<float>& share, const KernelAt& kernelAt,
+                       KernelFlow flow) {
   const auto whole = [&](int x, int y) { return share.at(x, y) == 1.0F; };
-  const Grid<char> first = reaching(shape, kernelAt, 0, whole);
+  const Raster<char> first = reaching(shape, kernelAt, 0, whole);
   if (flow == KernelFlow::gather) return first;
   return reaching(shape, kernelAt, kMargin, [&](int x, int y) { return whole(x, y) && first.at(x, y) == 0; });
 }
 
 /// Calls f(seen, factor) for the cells that have a kernel: what it sees of `weighted`.
 template <class F>
-void forKernels(Cells& cells, const Grid<float>& weighted, const F& f) {
+void forKernels(Cells& cells, const Raster<float>& weighted, const F& f) {
   forRows(cells.shape.height, [&](int y) {
     for (int x = 0; x < cells.shape.width; ++x) {
       const SincKernel* kernel = cells.kernels.at(x, y);
@@ -106,7 +108,7 @@ void balance(Cells& cells, KernelFlow flow) {
     forKernels(cells, cells.share, [](double seen, float& factor) { factor = static_cast<float>(1.0 / seen); });
     return;
   }
-  Grid<float> weighted(cells.shape.width, cells.shape.height);
+  Raster<float> weighted(cells.shape.width, cells.shape.height);
   for (const double round : kRounds) {
     for (std::size_t i = 0; i < weighted.size(); ++i) weighted[i] = cells.share[i] * cells.factors[i];
     forKernels(cells, weighted, [&](double seen, float& factor) {
@@ -119,15 +121,15 @@ void balance(Cells& cells, KernelFlow flow) {
 /// A level of coarser cells, balanced. Radii are means over the sky of a cell, or around it where it has none.
 class CoarseLevel {
  public:
-  CoarseLevel(const SkyExtent& sky, const Grid<int>& radii, double lobes, KernelFlow flow, int level)
+  CoarseLevel(const SkyExtent& sky, const Raster<int>& radii, double lobes, KernelFlow flow, int level)
       : x_(sky.shape.width, sky.shape.wrapX, level), y_(sky.shape.height, sky.shape.wrapY, level) {
     for (int i = 0; i <= kPerCell * kLargestRadius; ++i) {
       kernels_.emplace_back(static_cast<double>(i) / kPerCell, lobes, KernelGain::unit, false, false);
     }
     cells_.shape = {x_.cells, y_.cells};
-    cells_.share = cells_.factors = Grid<float>(x_.cells, y_.cells, 1.0F);
-    cells_.kernels = Grid<const SincKernel*>(x_.cells, y_.cells);
-    const Grid<Sums> sums = sumUp(sky, radii);
+    cells_.share = cells_.factors = Raster<float>(x_.cells, y_.cells, 1.0F);
+    cells_.kernels = Raster<const SincKernel*>(x_.cells, y_.cells);
+    const Raster<Sums> sums = sumUp(sky, radii);
     for (std::size_t i = 0; i < sums.size(); ++i)
       cells_.share[i] = sums[i].share / static_cast<float>(x_.size * y_.size);
     chooseKernels(sums, flow);
@@ -148,8 +150,8 @@ class CoarseLevel {
     float share = 0.0F, radii = 0.0F, pixels = 0.0F;
   };
 
-  Grid<Sums> sumUp(const SkyExtent& sky, const Grid<int>& radii) const {
-    Grid<Sums> sums(x_.cells, y_.cells);
+  Raster<Sums> sumUp(const SkyExtent& sky, const Raster<int>& radii) const {
+    Raster<Sums> sums(x_.cells, y_.cells);
     forRows(y_.cells, [&](int j) {
       for (int i = 0; i < x_.cells; ++i) {
         Sums& cell = sums.at(i, j);
@@ -166,7 +168,7 @@ class CoarseLevel {
     return sums;
   }
 
-  void chooseKernels(const Grid<Sums>& sums, KernelFlow flow) {
+  void chooseKernels(const Raster<Sums>& sums, KernelFlow flow) {
     forRows(y_.cells, [&](int j) {
       for (int i = 0; i < x_.cells; ++i) {
         Sums around = sums.at(i, j);
@@ -178,13 +180,13 @@ class CoarseLevel {
       }
     });
     const auto kernelAt = [&](int i, int j) { return cells_.kernels.at(i, j); };
-    const Grid<char> balanced = toBalance(cells_.shape, cells_.share, kernelAt, flow);
+    const Raster<char> balanced = toBalance(cells_.shape, cells_.share, kernelAt, flow);
     for (std::size_t i = 0; i < balanced.size(); ++i) {
       if (balanced[i] == 0) cells_.kernels[i] = nullptr;
     }
   }
 
-  Sums neighbours(const Grid<Sums>& sums, int i, int j) const {
+  Sums neighbours(const Raster<Sums>& sums, int i, int j) const {
     Sums sum;
     for (int y = std::max(j - 1, 0); y < std::min(j + 2, y_.cells); ++y) {
       for (int x = std::max(i - 1, 0); x < std::min(i + 2, x_.cells); ++x) {
@@ -207,19 +209,20 @@ int levelOf(int radius, const PictureShape& shape) {
   return level;
 }
 
-auto kernelsOf(const SkyExtent& sky, const Grid<int>& radii, const SincBank& bank) {
+auto kernelsOf(const SkyExtent& sky, const Raster<int>& radii, const SincBank& bank) {
   return [&](int x, int y) { return sky.share.at(x, y) > 0.0F ? &bank.at(radii.at(x, y)) : nullptr; };
 }
 
 }  // namespace
 
-Grid<char> reachesBeyond(const Grid<float>& ones, const SkyExtent& sky, const Grid<int>& radii, const SincBank& bank) {
+Raster<char> reachesBeyond(const Raster<float>& ones, const SkyExtent& sky, const Raster<int>& radii,
+                           const SincBank& bank) {
   return reaching(sky.shape, kernelsOf(sky, radii, bank), 0, [&](int x, int y) { return ones.at(x, y) == 1.0F; });
 }
 
-Grid<float> borderFactors(const SkyExtent& sky, const Grid<int>& radii, const SincBank& bank, double lobes,
-                          KernelFlow flow) {
-  const Grid<char> atBorder = toBalance(sky.shape, sky.share, kernelsOf(sky, radii, bank), flow);
+Raster<float> borderFactors(const SkyExtent& sky, const Raster<int>& radii, const SincBank& bank, double lobes,
+                            KernelFlow flow) {
+  const Raster<char> atBorder = toBalance(sky.shape, sky.share, kernelsOf(sky, radii, bank), flow);
   const int width = sky.shape.width, height = sky.shape.height;
   Cells pixels{sky.shape, sky.share, {width, height}, {width, height, 1.0F}};
   std::vector<char> used(static_cast<std::size_t>(levelOf(std::max(width, height), sky.shape)) + 1);

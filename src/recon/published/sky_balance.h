@@ -14,10 +14,11 @@ namespace parhelion {
 /// sources and targets alike (Sinkhorn & Knopp 1967): light that leaves a source times g, and counts at a target times
 /// g, keeps its sum and leaves an even sky even wherever sizes change slowly. Kernels of up to 24 pixels are balanced
 /// pixel by pixel, within 1e-3; larger ones on cells of 2^n pixels, within 1 % for one lobe and 3 % for two.
-Grid<float> borderFactors(const SkyExtent& sky, const Grid<int>& radii, const SincBank& bank, double lobes,
-                          KernelFlow flow);
+Raster<float> borderFactors(const SkyExtent& sky, const Raster<int>& radii, const SincBank& bank, double lobes,
+                            KernelFlow flow);
 
 /// Whether the kernel of each pixel of the sky reaches beyond the picture, or to where `ones` is not 1.
-Grid<char> reachesBeyond(const Grid<float>& ones, const SkyExtent& sky, const Grid<int>& radii, const SincBank& bank);
+Raster<char> reachesBeyond(const Raster<float>& ones, const SkyExtent& sky, const Raster<int>& radii,
+                           const SincBank& bank);
 
 }  // namespace parhelion

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "recon/published/square_sizes.h"
 
+#include "parallel/loops.h"
+
 #include <cmath>
 
 namespace parhelion {
@@ -14,7 +16,7 @@ std::int64_t fixed(double value) { return static_cast<std::int64_t>(std::llround
 
 /// The largest solid angle around a pixel if one of its neighbours shows no sky, as none beyond the picture does; else
 /// its own.
-double wholePixel(const Grid<double>& omega, const PictureShape& shape, int x, int y) {
+double wholePixel(const Raster<double>& omega, const PictureShape& shape, int x, int y) {
   double largest = 0.0;
   int shown = 0;
   forColumns(y, 1, shape.height, shape.wrapY, [&](int top, int rows, int) {
@@ -49,7 +51,7 @@ SkyExtent::SkyExtent(const HitMap& map)
   });
 }
 
-Grid<int> squareSizes(const HitMap& map, const SkyExtent& sky, double samples) {
+Raster<int> squareSizes(const HitMap& map, const SkyExtent& sky, double samples) {
   const PictureShape& shape = sky.shape;
   const SquareSums hits(shape, [&](int x, int y) { return map.omega.at(x, y) > 0.0 ? fixed(map.hits().at(x, y)) : 0; });
   const SquareSums shown(shape, [&](int x, int y) { return fixed(static_cast<double>(sky.share.at(x, y))); });
@@ -62,14 +64,12 @@ Grid<int> squareSizes(const HitMap& map, const SkyExtent& sky, double samples) {
   };
 
   const int largest = (std::max(shape.width, shape.height) - 1) / 2;
-  Grid<int> radii(shape.width, shape.height);
+  Raster<int> radii(shape.width, shape.height);
   forRows(shape.height, [&](int y) {
     int radius = 0;
     for (int x = 0; x < shape.width; ++x) {
       if (map.omega.at(x, y) <= 0.0) continue;
-      while (radius < largest && !holdsEnough(x, y, radius)) ++radius;
-      while (radius > 0 && holdsEnough(x, y, radius - 1)) --radius;
-      radii.at(x, y) = radius;
+      radii.at(x, y) = radius = smallestRadius(radius, largest, [&](int r) { return holdsEnough(x, y, r); });
     }
   });
   return radii;

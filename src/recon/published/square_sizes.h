@@ -14,8 +14,8 @@ struct SkyExtent {
   explicit SkyExtent(const HitMap& map);
 
   PictureShape shape;
-  Grid<float> share;   // of each pixel that shows sky: 1 inside, less on the border, 0 outside
-  Grid<double> whole;  // relative solid angle of each pixel of the sky, had it nothing but sky
+  Raster<float> share;   // of each pixel that shows sky: 1 inside, less on the border, 0 outside
+  Raster<double> whole;  // relative solid angle of each pixel of the sky, had it nothing but sky
 };
 
 /// Exact sums over squares that continue across wrapped edges.
@@ -44,6 +44,6 @@ class SquareSums {
 /// fewer by as much of it as shows no sky: so that sizes do not grow toward the border. At most half the picture; 0
 /// outside the sky. Where the border makes more than one radius right, the one nearest to that of the pixel to the
 /// left.
-Grid<int> squareSizes(const HitMap& map, const SkyExtent& sky, double samples);
+Raster<int> squareSizes(const HitMap& map, const SkyExtent& sky, double samples);
 
 }  // namespace parhelion

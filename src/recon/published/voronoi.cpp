@@ -13,7 +13,7 @@ Reconstruction reconstructHits(const HitMap& map, const VoronoiSettings& setting
   const double period = settings.period.value_or(sizeByHits(map, kVoronoiPeriod));
   const SkyLowPass filter(map, period);
   // A density is that of a whole cell. Compared with the picture at the hits, where it peaks, it would lose light.
-  const auto cellMeans = [&](Grid<double> picture) {
+  const auto cellMeans = [&](Raster<double> picture) {
     for (std::size_t i = 0; i < picture.size(); ++i) picture[i] *= map.omega[i];
     std::vector<double> means = nearest.cellSums(picture);
     for (std::size_t i = 0; i < means.size(); ++i) means[i] /= known.weights[i];
@@ -21,9 +21,9 @@ Reconstruction reconstructHits(const HitMap& map, const VoronoiSettings& setting
   };
   const Sample sample = settings.reading == HitReading::densities ? Sample(cellMeans) : valuesAt(known.pixels);
   const auto spread = [&](const std::vector<std::vector<double>>& values) {
-    std::vector<Grid<double>> light;
+    std::vector<Raster<double>> light;
     for (const std::vector<double>& kind : values) {
-      Grid<double>& picture = light.emplace_back(nearest.interpolate(kind));
+      Raster<double>& picture = light.emplace_back(nearest.interpolate(kind));
       for (std::size_t i = 0; i < picture.size(); ++i) picture[i] *= map.omega[i];
     }
     return filter(light);

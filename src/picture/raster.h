@@ -8,7 +8,7 @@
 
 namespace parhelion {
 
-/// A value for each pixel of a picture, row-major from the top left.
+/// A value for each pixel of a picture, or for each cell of a coarser one; row-major from the top left.
 template <class T>
 class Raster {
  public:
@@ -25,6 +25,9 @@ class Raster {
   std::size_t index(int x, int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
   }
+
+  T* row(int y) { return values_.data() + index(0, y); }
+  const T* row(int y) const { return values_.data() + index(0, y); }
   T& at(int x, int y) { return values_[index(x, y)]; }
   const T& at(int x, int y) const { return values_[index(x, y)]; }
   /// The nearest pixel's value for places outside.
@@ -37,7 +40,8 @@ class Raster {
   auto end() const { return values_.end(); }
 
  private:
-  int width_ = 0, height_ = 0;
+  int width_ = 0;
+  int height_ = 0;
   std::vector<T> values_;
 };
 
