@@ -1,0 +1,39 @@
+# SPDX-License-Identifier: Apache-2.0
+# Who may include whom. CONTRIBUTING.md has the same as a drawing.
+
+# Folder and the folders it may include from, itself aside. Of those in settings_FOLDER it may include what ends in
+# _settings.h alone: plain structs.
+set(may_math "")
+set(may_optics math)
+set(may_crystal math)
+set(may_picture math)
+set(may_sky picture optics math)
+set(may_trace sky picture crystal optics math)
+set(may_recon sky picture math)
+set(may_photo sky picture math)
+set(may_view sky picture optics math)
+set(may_scene sky picture crystal optics math)
+set(settings_scene trace recon)
+set(may_render scene trace recon photo view sky picture crystal optics math)
+set(may_cli render scene view photo trace recon sky picture crystal optics math)
+set(may_main cli scene)
+
+# Third-party header (a regular expression of the start of its name) and the folders in which it may appear.
+set(third_party
+  "glm/|math,optics,crystal,picture,sky,trace,recon,photo,view"
+  "sleef\\.h|math"
+  "embree[34]/|trace"
+  "tbb/|trace,recon,photo"
+  "kissfft/|recon"
+  "Imf|picture,sky"
+  "Iex|picture,sky"
+  "Imath|picture,sky"
+  "OpenEXR/|picture,sky"
+  "png\\.h|picture"
+  "jpeglib\\.h|picture"
+  "turbojpeg\\.h|picture"
+  "lcms2\\.h|picture"
+  "cairo|view"
+  "toml\\+\\+/|scene"
+  "nlohmann/|scene,cli"
+  "CLI/|cli")
