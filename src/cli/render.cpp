@@ -4,6 +4,7 @@
 #include "cli/run_options.h"
 #include "cli/text_output.h"
 #include "cli/trace_watch.h"
+#include "render/sky_files.h"
 
 namespace parhelion::cli {
 

@@ -5,6 +5,7 @@
 #include "cli/commands.h"
 #include "cli/run_options.h"
 #include "cli/text_output.h"
+#include "cli/trace_watch.h"
 #include "render/sky_files.h"
 #include "render/sweep.h"
 #include "scene/key_range.h"
