@@ -11,15 +11,16 @@
 //           Sky azimuth is 0 at the sun and positive to the right; elevation is 0 at the horizon, positive up.
 //
 // Light     `lightDir` is the direction in which light travels. An observer sees that light at the point of the sky
-//           toward `-lightDir`; a vector that points from the crystal or the eye to the sky is called `to…`.
+//           toward `-lightDir`. A vector that points from the crystal or the eye to the sky has a name that begins with
+//           `to`, such as `toSun`.
 //
-// Crystal   +z is the c axis. Face numbers as halo science uses them: 1 upper basal, 2 lower basal, 3-8 prism faces
-//           counter-clockwise seen from above (from +z), 13-18 upper pyramidal, 23-28 lower pyramidal. Face 3's
-//           outward normal is the crystal's +x, so the crystal's +y passes through the edge between faces 4 and 5.
-//           Aspect ratio is the length along c over the distance between opposite vertices of the hexagon, L / 2a.
+// Crystal   +z is the c axis. Faces are numbered as in halo science: 1 upper basal, 2 lower basal, 3-8 prism faces
+//           counter-clockwise seen from above (from +z), 13-18 upper pyramidal, 23-28 lower pyramidal. The outward
+//           normal of face 3 is the crystal's +x, so +y passes through the edge between faces 4 and 5.
+//           The aspect ratio is the length along c over the distance between opposite vertices of the hexagon, L / 2a.
 //
 // Rotation  `crystalToWorld` takes crystal vectors to world vectors: v_world = crystalToWorld * v_crystal.
-//           Orientation is the c axis' zenith angle, its sky azimuth, and the roll about c; see rotation.h.
+//           An orientation is the zenith angle of the c axis, its sky azimuth, and the roll about it; see rotation.h.
 
 #include <glm/mat3x3.hpp>
 #include <glm/vec2.hpp>

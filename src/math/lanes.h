@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// Several numbers side by side, on which the same is done to each: the compiler's own vectors. Every lane is worked out
-// in IEEE double precision by the same operations in the same order, so a result does not depend on how many lanes
-// there are. What is written here as a template of a number type T runs on single doubles and on vectors of them alike.
+// SIMD by the compiler's own vector types: several doubles side by side, one in each lane of a register. The same
+// operation is done to all lanes at once.
+//
+// Every lane is computed in IEEE double precision by the same operations in the same order. So a result does not depend
+// on the number of lanes. The templates of a number type T run on single doubles and on vectors of doubles alike.
 
 #include <cmath>
 #include <cstdint>
@@ -24,7 +26,7 @@ struct Lanes {
 
 #define PARHELION_INLINE inline __attribute__((always_inline))
 
-/// What belongs to a type of numbers: truth values, and 64-bit words of the same size.
+/// The types that go with a number type: Mask holds a truth value for each lane, Words an unsigned 64-bit integer.
 template <class T>
 struct LaneType {
   static constexpr int lanes = sizeof(T) / sizeof(double);
@@ -42,7 +44,7 @@ using MaskOf = typename LaneType<T>::Mask;
 template <class T>
 using WordsOf = typename LaneType<T>::Words;
 
-/// The same bits as another type of the same size.
+/// The same bits, taken as another type of the same size.
 template <class To, class From>
 PARHELION_INLINE To bitsAs(const From& from) {
   static_assert(sizeof(To) == sizeof(From));
@@ -51,7 +53,7 @@ PARHELION_INLINE To bitsAs(const From& from) {
   return to;
 }
 
-/// a where `which` holds, else b.
+/// a where `which` is true, else b, lane by lane.
 PARHELION_INLINE double select(bool which, double a, double b) { return which ? a : b; }
 PARHELION_INLINE double select(int which, double a, double b) { return which ? a : b; }  // bool | bool is an int
 template <class Mask, class T>
@@ -89,7 +91,7 @@ PARHELION_INLINE double all<double>(double value) {
   return value;
 }
 
-/// The lanes that start at a place in memory, and their way back to it.
+/// Reads the lanes that start at an address, and writes them back. The address need not be aligned.
 template <class T>
 PARHELION_INLINE T load(const void* from) {
   T lanes;
@@ -101,7 +103,7 @@ PARHELION_INLINE void store(void* to, const T& lanes) {
   std::memcpy(to, &lanes, sizeof(T));
 }
 
-/// The lower and the higher of two numbers; b where a is not a number.
+/// The lower and the higher of two numbers, lane by lane. Where a is not a number, both are b.
 template <class T>
 PARHELION_INLINE T lower(const T& a, const T& b) {
   return select(a < b, a, b);
@@ -111,7 +113,7 @@ PARHELION_INLINE T higher(const T& a, const T& b) {
   return select(a > b, a, b);
 }
 
-/// The nearest whole number, for |x| < 2^51: what is added leaves no digits behind the point.
+/// The nearest whole number, for |x| < 2^51. Adding 1.5 * 2^52 leaves no digits behind the point.
 template <class T>
 PARHELION_INLINE T nearest(const T& x) {
   constexpr double kShift = 0x1.8p52;
@@ -125,7 +127,7 @@ PARHELION_INLINE T wholePart(const T& x) {
   return select(whole > x, whole - 1.0, whole);
 }
 
-/// table[index], lane by lane; the indices are whole numbers from 0 to 2^51.
+/// table[index], lane by lane. The indices are whole numbers from 0 to 2^51, held as doubles.
 PARHELION_INLINE double lookUp(const double* table, double index) { return table[static_cast<std::int64_t>(index)]; }
 template <class T>
 PARHELION_INLINE T lookUp(const double* table, const T& index) {
@@ -137,10 +139,10 @@ PARHELION_INLINE T lookUp(const double* table, const T& index) {
   return found;
 }
 
-/// Whether any lane holds.
+/// Whether the mask is true in any lane.
 PARHELION_INLINE bool anyOf(bool which) { return which; }
 
-/// One bit a lane, the first lane lowest.
+/// The mask as one bit for each lane; the first lane is the lowest bit.
 template <class Mask>
 PARHELION_INLINE unsigned bitsOf(const Mask& which) {
 #if defined(__AVX512DQ__)
@@ -161,7 +163,7 @@ PARHELION_INLINE bool anyOf(const Mask& which) {
   return bitsOf(which) != 0;
 }
 
-/// Low 32 bits times a number of 32 bits.
+/// The low 32 bits of each lane times a number of 32 bits, as a product of 64 bits.
 template <class Words>
 PARHELION_INLINE Words product32(const Words& a, std::uint32_t b) {
 #if defined(__AVX512F__)
@@ -176,7 +178,7 @@ PARHELION_INLINE Words product32(const Words& a, std::uint32_t b) {
   return (a & 0xFFFFFFFF) * std::uint64_t{b};
 }
 
-/// Puts the lanes that hold side by side: made once for a mask, applied to many numbers.
+/// Packs the lanes where a mask is true side by side. Made once for a mask, it serves any number of vectors.
 template <class T>
 class Compress {
  public:
@@ -188,7 +190,8 @@ class Compress {
 
   int count() const { return __builtin_popcount(bits_); }
 
-  /// Writes whole lanes of T from `to` on, of which the first count() are those that hold.
+  /// Writes the numbers of the mask's true lanes from `to` on, count() of them in their order. There must be room for
+  /// all lanes of T; what is written behind the first count() has no meaning.
   PARHELION_INLINE void store(void* to, const T& numbers) const {
 #if defined(__AVX512F__)
     if constexpr (sizeof(T) == 64) {
@@ -214,7 +217,7 @@ class Compress {
   unsigned bits_;
 #if defined(__AVX2__)
   __m256i order_;
-  // The halves of the lanes that hold, for each of the 16 masks of four lanes.
+  // For each of the 16 masks of four lanes: the true lanes, each as its two halves of 32 bits.
   alignas(32) static constexpr std::int32_t kOrders[16][8] = {
       {0, 0, 0, 0, 0, 0, 0, 0}, {0, 1, 0, 0, 0, 0, 0, 0}, {2, 3, 0, 0, 0, 0, 0, 0}, {0, 1, 2, 3, 0, 0, 0, 0},
       {4, 5, 0, 0, 0, 0, 0, 0}, {0, 1, 4, 5, 0, 0, 0, 0}, {2, 3, 4, 5, 0, 0, 0, 0}, {0, 1, 2, 3, 4, 5, 0, 0},
@@ -223,7 +226,7 @@ class Compress {
 #endif
 };
 
-/// Three coordinates, as GLM's vectors are for single numbers.
+/// A vector of three coordinates whose number type may be lanes; GLM's vectors serve single numbers.
 template <class T>
 struct Triple {
   T x, y, z;

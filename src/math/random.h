@@ -11,7 +11,7 @@ namespace parhelion {
 inline std::uint32_t lowWord(std::uint64_t x) { return static_cast<std::uint32_t>(x); }
 inline std::uint32_t highWord(std::uint64_t x) { return static_cast<std::uint32_t>(x >> 32); }
 
-/// Philox4x32 with ten rounds: a keyed permutation of 128-bit counters, four independent 32-bit words a call.
+/// Philox4x32 with ten rounds: a keyed permutation of 128-bit counters. Each call gives four independent 32-bit words.
 /// Salmon, Moraes, Dror & Shaw 2011, "Parallel random numbers: as easy as 1, 2, 3".
 inline std::array<std::uint32_t, 4> philox4x32(std::array<std::uint32_t, 4> counter, std::array<std::uint32_t, 2> key) {
   constexpr int kRounds = 10;
@@ -28,19 +28,21 @@ inline std::array<std::uint32_t, 4> philox4x32(std::array<std::uint32_t, 4> coun
   return counter;
 }
 
-/// 64 random bits to a number strictly inside (0, 1), the centre of one of 2^52 equal cells.
+/// Turns 64 random bits into a number strictly inside (0, 1). The number is the centre of one of 2^52 equal cells,
+/// which the upper 52 bits choose.
 template <class T = double>
 PARHELION_INLINE T toUnitInterval(const WordsOf<T>& bits) {
-  // With the exponent of 1 before them, 52 bits are a number in [1, 2).
+  // As the mantissa of a double with the exponent of 1, the 52 bits are a number in [1, 2).
   constexpr std::uint64_t kOne = 0x3FF0000000000000;
   return bitsAs<T>((bits >> 12) | kOne) - (1.0 - 0x1p-53);
 }
 
-/// What a ray's random numbers are spent on; each purpose has a stream of its own.
+/// What random numbers are used for. Each purpose has a stream of its own.
 enum class RandomPurpose : std::uint32_t { incidence = 0, path = 1, pilot = 2, population = 3 };
 
-/// The numbers that decide which way light goes at the faces a path meets: xorshift128+ (Vigna 2017, "Further
-/// scramblings of Marsaglia's xorshift generators"), started for each bundle of rays from 128 bits of Philox.
+/// The random numbers that decide which way light goes at the faces a path meets. The generator is xorshift128+ (Vigna
+/// 2017, "Further scramblings of Marsaglia's xorshift generators"). For each bundle of rays it starts from 128 bits of
+/// Philox.
 template <class T>
 struct PathRandom {
   WordsOf<T> state0, state1;
@@ -57,6 +59,7 @@ struct PathRandom {
   }
 };
 
+/// The generator at the start of a bundle's paths.
 inline PathRandom<double> pathRandom(std::uint64_t seed, std::uint64_t bundle) {
   const auto words = philox4x32({0, static_cast<std::uint32_t>(RandomPurpose::path), lowWord(bundle), highWord(bundle)},
                                 {lowWord(seed), highWord(seed)});

@@ -11,17 +11,18 @@
 
 namespace parhelion {
 
-/// A whole image of the sky in 1/sr, channels R, G, B and the variance of the luminance (sky/radiance.h); the
-/// undeviated sunlight is not in it. The variance is that of the noise, measured as the difference between the pictures
-/// of the two halves of the rays; it says nothing of what a filter bends.
+/// A whole image of the sky in 1/sr. Its channels are R, G, B and the variance of the luminance (sky/radiance.h). The
+/// undeviated sunlight is not in it.
+///
+/// The variance is that of the noise, measured by the difference between the pictures of the two halves of the rays. It
+/// does not include the systematic error of a filter, such as blur.
 struct ReconstructedSky {
   Image image;
-  std::vector<std::string>
-      remarks;  // what its user should know: which sizes were chosen, that an iteration was stopped
+  std::vector<std::string> remarks;  // for the user, such as which sizes were chosen or that an iteration was stopped
 };
 
-/// Turns scattered hits into an image of the sky, by the method that the settings are of. The same tally and settings
-/// give the same bits for any number of threads. Throws ReconStopped (recon/watch.h) if asked to stop.
+/// Turns scattered hits into an image of the sky. The type of the settings chooses the method. The same tally and
+/// settings give the same bits for any number of threads. Throws ReconStopped (recon/watch.h) if asked to stop.
 ReconstructedSky reconstruct(const Tally& tally, const ReconSettings& settings, const Watch& watch = {});
 
 }  // namespace parhelion

@@ -10,36 +10,36 @@
 
 namespace parhelion {
 
-/// The light of a tally's sky in the units that filters work in, and the way back. Light in pixels without sky is left
-/// out. The tally must outlive this.
+/// The light of a tally in the units that filters work in, and the conversion of filtered light to an image. Light in
+/// pixels without sky is left out. The tally must outlive this object.
 class SkyLight {
  public:
   explicit SkyLight(const Tally& tally);
 
   const Tally& tally() const { return tally_; }
 
-  /// sr, row-major, 0 for pixels without sky.
+  /// Solid angles of the pixels in sr, row-major; 0 for pixels without sky.
   const std::vector<double>& solidAngles() const { return solidAngles_; }
 
-  /// Luminance of all of the sky, in the tally's unit.
+  /// The luminance of all pixels with sky together, in the tally's unit.
   double light() const { return light_; }
 
-  /// Effective hits per luminance: with it the luminance of independent hits has the variance of counts. 0 for a sky
-  /// without light.
+  /// Effective hits per unit of luminance: the sum of the light over the sum of its squares. In this unit the luminance
+  /// of independent hits has the variance of counts. 0 for a sky without light.
   double hitsPerLight() const { return hitsPerLight_; }
   double hits() const { return light_ * hitsPerLight_; }
 
-  /// The kinds of light of a pixel with sky, in effective hits: luminance, the difference between its halves, X and Z.
-  /// X and Z are 0 where the tally has luminance only.
+  /// The light of a pixel with sky, in effective hits: its luminance, the difference between the luminance's halves, X
+  /// and Z. X and Z are 0 where the tally has luminance only.
   struct Pixel {
     double luminance, difference, x, z;
   };
   Pixel at(std::size_t pixel) const;
 
-  /// All of it for the named methods: two kinds of light, or four with colour.
+  /// All pixels, for the published methods. The map has two kinds of light, or four with colour, in the order of Pixel.
   HitMap hitMap() const;
 
-  /// The image of filtered light of the same kinds, in effective hits per relative solid angle.
+  /// The image of filtered light. `lights` has the same kinds, in effective hits per relative solid angle.
   Image develop(const std::vector<Grid<double>>& lights) const;
 
  private:
@@ -49,19 +49,23 @@ class SkyLight {
   double meanSolidAngle_ = 0.0;  // of the pixels that show sky, sr
 };
 
-/// Luminance, the difference between its halves (both in any one unit), and linear Rec.709 per that unit of a pixel.
+/// What a filter made of each pixel. Luminance, the difference between its halves and `rgb` (linear Rec.709) are in one
+/// and the same unit, which may be any.
 struct FilteredLight {
   std::function<double(std::size_t)> luminance, difference;
   std::function<Vec3(std::size_t)> rgb;
-  std::function<double(std::size_t)> hitsPerPixel;  // decides how wide the noise is averaged
-  double hits = 0.0;                                // of all the sky, effective
+  std::function<double(std::size_t)> hitsPerPixel;  // decides over which width the noise is averaged
+  double hits = 0.0;                                // effective hits in all the sky
 };
 
-/// The image of filtered light: `scale` turns its unit into 1/sr. The variance is the mean square of the halves'
-/// difference over windows somewhat wider than kernels, relative to the luminance's; at least that of all the light.
+/// The image of filtered light, with the variance of its luminance. `scale` converts the light's unit to 1/sr.
+///
+/// The relative variance of a pixel is a quotient of two sums over a window somewhat wider than the kernels: the
+/// squares of the difference between the halves, over the squares of the luminance. It is at least that of all the
+/// light together, which is 1 / hits.
 Image developed(int width, int height, const FilteredLight& light, double scale);
 
-/// R, G, B and the variance of the luminance, all 0.
+/// An image with the channels R, G, B and the variance of the luminance, all 0.
 Image emptyRadiance(int width, int height);
 
 }  // namespace parhelion

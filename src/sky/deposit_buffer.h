@@ -10,22 +10,24 @@
 
 namespace parhelion {
 
-/// One thread's deposits on their way into a tally that threads share. They are gathered by bands of the picture; a
-/// full band is added in one go under the band's lock, the pixels fetched ahead, where single deposits would each wait
-/// for memory. Sums are exact integers, so the order leaves no trace.
+/// The deposits of one thread on their way into a tally that several threads share.
+///
+/// Deposits are gathered by bands of the picture. Once a band's buffer is full, all its deposits are added in one go
+/// under the band's lock. Their pixels are fetched into the cache ahead, whereas single deposits would each wait for
+/// memory. Sums are exact integers, so the order of adding leaves no trace.
 class DepositBuffer {
  public:
-  /// What the threads of one tally share.
+  /// The locks that all buffers of one tally share, one for each band.
   class Locks {
     friend DepositBuffer;
     static constexpr int kBands = 64;
     std::array<std::mutex, kBands> bands_;
   };
 
-  /// `tally` must outlive the buffer; nobody may add to it but by buffers with the same `locks`.
+  /// `tally` must outlive the buffer. Nobody may add to it but buffers with the same `locks`.
   DepositBuffer(Tally& tally, std::shared_ptr<Locks> locks);
 
-  /// As Tally::add(), at some time until flush().
+  /// Like Tally::add(). The deposit reaches the tally at the next flush() at the latest.
   void add(int pixel, const Vec3& xyz, bool firstHalf) {
     const int band = pixel >> bandShift_;
     Band& b = bands_[band];
@@ -33,7 +35,7 @@ class DepositBuffer {
     if (b.count == kRoom) flush(band);
   }
 
-  /// Adds all that is still on its way.
+  /// Adds to the tally what is still in the buffer.
   void flush();
 
  private:

@@ -17,22 +17,27 @@ namespace parhelion {
 
 class RadialFootprint;
 
-/// The light of a sky that is the same all around one direction, in rings about it: exact integers like a Tally's.
-/// Spread over a picture, each hit counts for its whole ring.
+/// The light of a sky that is the same all around one direction, its centre. It is summed in rings about the centre, as
+/// exact integers like those of a Tally. When it is spread over a picture, each hit counts for its whole ring.
 ///
-/// The rings are equal steps of the chord from the centre up to 90 degrees, and of the chord to the antipode beyond. A
-/// cap's solid angle is pi chord^2, so that nothing cancels near either, and no ring costs an arc cosine.
+/// A ring is a step of the chord, the straight distance on the unit sphere. Up to 90 degrees from the centre the rings
+/// are equal steps of the chord from the centre. Beyond, they are equal steps of the chord to the antipode. The solid
+/// angle of a cap is pi chord^2, so nothing cancels near the centre or the antipode, and no ring costs an arc cosine.
 class RadialSky {
  public:
   /// An empty sky about the unit world vector `toCentre`, for tallies of this info's white and this number of colours.
-  /// Its rings are at most an eighth as wide as the smallest step of a pixel away from the picture's centre (in a
-  /// panorama: of a pixel in latitude). There are 2^13 of them at least, and 2^16 at most: 0.0025 to 0.0035 degrees
-  /// wide. Throws std::invalid_argument for colours other than 1 and 3.
+  ///
+  /// Rings are at most an eighth as wide as the smallest step from a pixel to the next one away from the picture's
+  /// centre (in a panorama: from a pixel to the next one in latitude). But there are at least 2^13 of them and at most
+  /// 2^16. The latter are 0.0025 to 0.0035 degrees wide.
+  ///
+  /// Throws std::invalid_argument for colours other than 1 and 3.
   RadialSky(const TallyInfo& info, const Vec3& toCentre, int colours = 3);
 
   int bins() const { return static_cast<int>(rings_.size()); }
 
-  /// Where a unit world vector lies among the rings, from 0 at the centre to bins() at its antipode.
+  /// Where the sky point toward a unit world vector lies among the rings, from 0 at the centre to bins() at the
+  /// antipode.
   double place(const Vec3& toSky) const {
     const bool front = glm::dot(toSky, toCentre_) >= 0.0;
     const Vec3 chord = front ? toSky - toCentre_ : toSky + toCentre_;
@@ -47,8 +52,8 @@ class RadialSky {
     return kPi / (perChord_ * perChord_) * (2.0 * std::min(bin, bins() - 1 - bin) + 1.0);
   }
 
-  /// Adds one ray's light (CIE XYZ) to a ring, `firstHalf` as in Tally::add(). Not for several threads at once: each
-  /// has a sky of its own, and they are merged.
+  /// Adds the light (CIE XYZ) of one bundle to a ring; `firstHalf` is as in Tally::add(). Not for several threads at
+  /// once: each thread has a sky of its own, and these are merged.
   void add(int bin, const Vec3& xyz, bool firstHalf) {
     Ring& ring = rings_[static_cast<std::size_t>(bin)];
     const std::int64_t luminance = toFixed(xyz.y);
@@ -65,17 +70,23 @@ class RadialSky {
   /// differ.
   void merge(const RadialSky& other);
 
-  /// Sets all pixels of a tally: each gets the integral over its part of the sky of the rings' radiance, which is
-  /// constant across a ring. Its squares are those of the hits' shares in the pixel, so that luminanceError() is the
-  /// pixel's own; neighbours share their rings, and so their noise. (As in Tally::add(), a ray that hits several rings
-  /// of one pixel makes them fall short.) Its hits are the number of equal hits with the same relative error.
+  /// Sets all pixels of a tally from the rings. The radiance is taken as constant across a ring.
   ///
-  /// A pixel crossed by an edge of the profile is right to 1e-3 of the light it would hold in full; on the image circle
-  /// to 4e-3 of a whole pixel, in an orthographic fisheye 2e-2. (A fisheye of the whole sphere squeezes the last degree
-  /// before its circle into 1/32 of a pixel: what lies there is shared among the outermost pixels.) Rounding to a
-  /// tally's integers costs at most 2^-29 of a ray's light: 1e-6 of a pixel with 1/500 of a ray. Squares are coarser:
-  /// with w the pixel's share of a ring, the error of a pixel that holds the light of n rays is off by less than 2^-28
-  /// / (n w) of itself.
+  ///   - A pixel's light is the integral of the rings' radiance over the pixel's part of the sky.
+  ///   - Its squares are those of the hits' shares in the pixel, so that luminanceError() is the pixel's own. They fall
+  ///     short where a bundle hits several rings of one pixel (see Tally::add()).
+  ///   - Its hits are the number of equal hits that have the same relative error.
+  ///
+  /// Pixels of the same ring share its noise.
+  ///
+  /// A pixel that is crossed by an edge of the profile is right to 1e-3 of the light it would hold in full. A pixel on
+  /// the image circle is right to 4e-3 of a whole pixel, in an orthographic fisheye to 2e-2. A fisheye of the whole
+  /// sphere squeezes the last degree before its circle into 1/32 of a pixel. What lies there is shared among the
+  /// outermost pixels.
+  ///
+  /// Rounding to a tally's integers costs at most 2^-29 of a ray's light, which is 1e-6 of a pixel with 1/500 of a ray.
+  /// Squares are coarser. In a pixel that holds the light of n rays and covers the share w of a ring, luminanceError()
+  /// is off by less than 2^-28 / (n w) of itself.
   ///
   /// Throws std::invalid_argument if the colours differ.
   void spreadOver(Tally& tally) const;

@@ -22,12 +22,12 @@ struct RayRange {
   bool operator==(const RayRange&) const = default;
 };
 
-/// What a tally's sums were made of; with it a reconstruction needs neither the scene nor the tracer.
+/// What a tally's sums were made of. With it, a reconstruction needs neither the scene nor the tracer.
 struct TallyInfo {
   std::uint64_t seed = 0;
-  std::vector<RayRange> rays;    // traced so far: ascending, not touching, none empty
-  std::int64_t intercepted = 0;  // fixed point: light the crystals took from the beam: 1 or 2 a ray on average
-  std::int64_t undeviated = 0;   // fixed point: the part of it that goes on in the sun's direction; in no pixel
+  std::vector<RayRange> rays;    // traced so far; ascending, not touching, none empty
+  std::int64_t intercepted = 0;  // fixed point; light taken from the beam: per ray 1 on average, 2 if mirrored
+  std::int64_t undeviated = 0;   // fixed point; the part of it that goes on in the sun's direction, in no pixel
   Vec3 white{1.0, 1.0, 1.0};     // CIE XYZ of the undeviated sunlight, Y = 1
   double sunElevation = 0.0;     // rad
   double sunDiameter = 0.0;      // rad, 0 is a point
@@ -37,7 +37,7 @@ struct TallyInfo {
 
   bool operator==(const TallyInfo&) const = default;
 
-  /// How many rays the ranges hold together.
+  /// The number of rays in all ranges together.
   std::uint64_t rayCount() const;
 
   double interceptedLight() const { return fromFixed(intercepted); }
@@ -46,11 +46,12 @@ struct TallyInfo {
   double undeviatedFraction() const;
 };
 
-/// Ranges sorted, neighbours joined, empty ones dropped. Throws std::invalid_argument if two overlap.
+/// The ranges in ascending order. Ranges that touch are joined, empty ones dropped. Throws std::invalid_argument if two
+/// overlap.
 std::vector<RayRange> joined(std::vector<RayRange> ranges);
 
-/// The contract between tracing and reconstruction: what each pixel of the camera received, as exact integers.
-/// Light is measured in units of what a ray brings on average.
+/// What each pixel of the camera received, as exact integers. It is the contract between tracing and reconstruction.
+/// The unit of light is what a ray brings on average.
 class Tally {
  public:
   TallyInfo info;  // camera and white stay as they were constructed; the rest is the tracer's to fill in
@@ -65,48 +66,56 @@ class Tally {
   int colours() const { return colours_; }
   int pixels() const { return width_ * height_; }
 
-  /// Adds one ray's light (CIE XYZ) to a row-major pixel. Safe to call from any number of threads at once.
-  /// `firstHalf` marks rays of even index: the two halves are independent estimates of the same picture.
-  /// A ray that deposits into one pixel more than once should add its light up before, else the squares fall short.
+  /// Adds the light (CIE XYZ) of one bundle of rays to a pixel, given by its row-major index. Safe to call from any
+  /// number of threads at once.
+  ///
+  /// `firstHalf` is true for bundles of even number. The two halves are independent estimates of the same picture.
+  ///
+  /// A bundle may bring light to one pixel more than once. That light should be summed before and added once, else the
+  /// sum of squares is too small.
   void add(int pixel, const Vec3& xyz, bool firstHalf) {
     deposit(pixel, xyz, firstHalf, [](std::int64_t& sum, std::int64_t amount) {
       std::atomic_ref<std::int64_t>(sum).fetch_add(amount, std::memory_order_relaxed);
     });
   }
 
-  /// The same, several times faster, for a caller who sees to it that nobody else adds to the pixel at the time.
+  /// Does the same, several times faster. The caller must see to it that nobody else adds to the pixel at the same
+  /// time.
   void addExclusively(int pixel, const Vec3& xyz, bool firstHalf) {
     deposit(pixel, xyz, firstHalf, [](std::int64_t& sum, std::int64_t amount) { sum += amount; });
   }
 
-  /// Tells the processor to fetch a pixel that will be added to soon.
+  /// Tells the processor to fetch a pixel into the cache, because light will be added to it soon.
   void prefetch(int pixel) const { __builtin_prefetch(&at(static_cast<std::size_t>(pixel) * stride_), 1); }
 
-  /// Light of a pixel in CIE XYZ; with one colour, that luminance in the sun's white.
+  /// The light of a pixel in CIE XYZ. With one colour it is the luminance in the sun's white.
   Vec3 xyz(int pixel) const;
 
-  /// Luminance of a pixel: of all rays, of the rays of even index, and the sum of the squares per ray.
+  /// Sums of a pixel: the luminance of all bundles, that of the bundles of even number, and the square of the luminance
+  /// that each bundle brought.
   double luminance(int pixel) const { return fromFixed(raw(pixel, kY)); }
   double firstHalf(int pixel) const { return fromFixed(raw(pixel, kFirstHalf)); }
   double squares(int pixel) const { return fromFixed(raw(pixel, kSquares), kSquareScale); }
 
-  /// How many times something was added to a pixel.
+  /// How many times light was added to a pixel.
   std::int64_t hits(int pixel) const { return raw(pixel, kHits); }
 
-  /// Standard error of luminance(pixel); that of the radiance is this over intercepted light and solid angle.
+  /// The standard error of luminance(pixel). Divided by the intercepted light and the solid angle, it is the standard
+  /// error of the radiance.
   double luminanceError(int pixel) const;
 
-  /// Adds the rays of another tally of the same scene. Throws std::invalid_argument, and changes nothing, if scene,
-  /// seed, camera or colours differ or a ray is in both. Gaps between the rays are allowed.
+  /// Adds the rays of another tally of the same scene. Gaps between the ranges of rays are allowed. Throws
+  /// std::invalid_argument, and changes nothing, if scene, seed, camera or colours differ or if a ray is in both.
   void merge(const Tally& other);
 
   bool operator==(const Tally& other) const;
 
-  /// Adds to every pixel what its mirror image, left for right, holds: each ray then counts for two, which land in one
-  /// pixel in the middle column of an odd width.
+  /// Adds to every pixel what its mirror image, left for right, holds. Each ray then counts for two. If the width is
+  /// odd, both land in the same pixel of the middle column.
   void addMirrorImage();
 
-  /// The numbers of a pixel as stored, for files. X and Z are relative to the white, so that none can overflow.
+  /// The numbers that are stored for each pixel, for files. X and Z are relative to the white, so that none can
+  /// overflow.
   enum Slot : int { kY, kFirstHalf, kSquares, kHits, kX, kZ };
   int slots() const { return colours_ == 1 ? 4 : 6; }
   std::int64_t raw(int pixel, int slot) const {
@@ -117,7 +126,7 @@ class Tally {
   }
 
  private:
-  // A pixel has 8 places (colour) or 4 (luminance only), so that its numbers lie in one cache line.
+  // A pixel has 8 integers (colour) or 4 (luminance only), so that all of them lie in one cache line.
   struct alignas(64) CacheLine {
     std::array<std::int64_t, 8> place{};
     bool operator==(const CacheLine&) const = default;

@@ -8,8 +8,8 @@
 
 namespace parhelion {
 
-/// What one bundle of rays adds to numbered bins. Light of one bundle that falls into one bin more than once belongs
-/// together: errors come from the scatter between bundles.
+/// What one bundle of rays adds to numbered bins. If its light falls into a bin more than once, that light is summed to
+/// one deposit, because errors are measured by the scatter between bundles.
 template <class Light>
 class BundleDeposits {
  public:
@@ -33,7 +33,7 @@ class BundleDeposits {
   std::vector<Deposit> deposits_;
 };
 
-/// Exact sums of light and of squared light per bundle, for any number of bins.
+/// For each of any number of bins, two exact sums over bundles: of the light that a bundle brought, and of its square.
 class BundleBins {
  public:
   explicit BundleBins(int bins) : sums_(bins), squares_(bins) {}
@@ -42,10 +42,10 @@ class BundleBins {
   void add(const BundleDeposits<double>& bundle);
   void merge(const BundleBins& other);
 
-  /// Light in a bin, in the units of the deposits.
+  /// The light in a bin, in the unit of the deposits.
   double light(int bin) const { return fromFixed(sums_[bin]); }
 
-  /// Standard error of light(bin) when `bundles` bundles were traced in all.
+  /// The standard error of light(bin), where `bundles` bundles were traced in all.
   double error(int bin, std::uint64_t bundles) const;
 
  private:

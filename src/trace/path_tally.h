@@ -7,20 +7,21 @@
 
 namespace parhelion {
 
-/// Something that adds up the light of traced rays. Sums are exact integers, so the order of adding and merging leaves
-/// no trace.
+/// Something that adds up the light of traced rays: a picture, a map or a profile. Sums are exact integers, so the
+/// result does not depend on the order of adding and merging.
 class PathTally {
  public:
   virtual ~PathTally() = default;
 
-  /// Adds what left the crystals of some bundles. The rays of a bundle differ in wavelength alone; their light is
-  /// correlated. Returns how many times light has found a place here: exits out of view have none, mirrored ones two.
+  /// Adds what left the crystals of some bundles. The rays of a bundle differ only in wavelength, so their light is
+  /// correlated. Returns how many times light found a place here. An exit that is out of view finds none, and one that
+  /// also counts as its mirror image may find two.
   virtual int add(const TracedRays& traced) = 0;
 
-  /// An empty tally of the same kind for one thread, to be given to merge() in the end.
+  /// Makes an empty tally of the same kind for one thread. It is given to merge() at the end.
   virtual std::unique_ptr<PathTally> forThread() = 0;
 
-  /// Takes over what a tally made by forThread() has added up, which is of no use afterwards.
+  /// Takes over what a tally made by forThread() has added up. That tally must not be used afterwards.
   virtual void merge(PathTally& fromThread) = 0;
 
   /// Called once, after the last merge.

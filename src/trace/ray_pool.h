@@ -6,8 +6,10 @@
 
 namespace parhelion {
 
-/// The rays that are inside their crystals at a time, as arrays: places 0 ... active - 1 are taken. Small enough for
-/// the first-level cache, long enough that waiting for one group's numbers is spent on the next.
+/// The rays that are inside their crystals at the same time, as arrays. Places 0 ... active - 1 are taken.
+///
+/// The pool is small enough for the first-level cache. It is large enough that the processor has other lanes to work on
+/// while the results of some are not yet there.
 struct RayPool {
   static constexpr int kRoom = 128;
   template <class T>
@@ -19,25 +21,25 @@ struct RayPool {
   alignas(64) Numbers point[3];     // crystal frame, crystal units
   alignas(64) Numbers lightDir[3];  // unit, crystal frame
   alignas(64) Numbers energy;       // still inside; 0 in places not taken
-  alignas(64) Numbers face;         // the one the ray starts on
+  alignas(64) Numbers face;         // on which the ray starts
   alignas(64) Numbers order;        // internal encounters so far
   alignas(64) Numbers internalPath;
   alignas(64) Row<std::uint64_t> random0, random1;  // state of PathRandom
 
-  // As the ray came: constant while it is here.
-  alignas(64) Numbers ray, stretch, iceIndex, perIceIndex;
-  alignas(64) Numbers splitAbove;  // energy from which a path splits
+  // Constant while the ray is in the pool.
+  alignas(64) Numbers ray, stretch, iceIndex, perIceIndex;  // ray: RayQueue::ray(); perIceIndex: 1 / iceIndex
+  alignas(64) Numbers splitAbove;                           // the path splits while it has at least this energy
 
-  // What the engine found: the next face, or kNoFace.
+  // What the engine found: the next face, or kNoFace; how far it is; the cosine of the ray's direction and its normal.
   alignas(64) Numbers nextFace, distance, cosine;
 
   alignas(64) Numbers lost;  // energy of a ray for which no face was found, else 0
 
-  // Places whose ray is at its end.
+  // The places whose rays have ended, to be given to others.
   alignas(64) Numbers ended;
   int endedCount = 0;
 
-  /// Takes over the ray at another place.
+  /// Moves a ray from one place to another.
   void move(int from, int to) {
     for (Numbers* rows : {point, lightDir})
       for (int k = 0; k < 3; ++k) rows[k][to] = rows[k][from];

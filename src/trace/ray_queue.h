@@ -10,12 +10,13 @@
 
 namespace parhelion {
 
-/// Rays of one population as arrays: all that the rays of a bundle share is at the bundle's place of each, and what a
-/// ray has for itself is at ray(member, place).
+/// The rays of one population that a wave traces, as arrays. A bundle has a place in the queue, and a ray of the bundle
+/// is one of its members. What the members share is at the index `place` of each array. What each ray has for itself is
+/// at the index ray(member, place).
 struct RayQueue {
   using Row = AlignedVector<double>;
 
-  /// Every array has this much room behind what is in use, so that whole lanes can be written.
+  /// Every array has room for this many more entries than are in use, because lanes are always written as a whole.
   static constexpr int kSpare = 8;
 
   RayQueue(int bundles, int bundleSize)
@@ -34,20 +35,21 @@ struct RayQueue {
   int placeOf(int ray) const { return ray & (room - 1); }
 
   int room;       // a power of two
-  int members;    // rays a bundle
-  int count = 0;  // bundles
+  int members;    // rays per bundle
+  int count = 0;  // bundles in the queue
 
   AlignedVector<std::uint64_t> bundle;
-  AlignedVector<std::uint64_t> random0, random1;  // state of PathRandom behind the entry
+  AlignedVector<std::uint64_t> random0, random1;  // state of PathRandom after the entry
   Row crystalX[3], crystalY[3], crystalZ[3];      // the crystal's axes in the world
   Row lightWorld[3], lightCrystal[3];             // unit, from the sun's disc toward the crystal
   Row point[3];                                   // of entry, crystal frame, crystal units
   Row face;                                       // of entry, index into the mesh's faces
   Row stretch;                                    // of the crystal along c
   Row shadow;                                     // the crystal's projected area, crystal units squared
-  Row weight;                                     // intercepted light a ray stands for
+  Row weight;                                     // intercepted light that a ray stands for
 
-  // A ray's own: its wavelength and what the ice makes of it, then what enters the crystal, then what became of it.
+  // What each ray has for itself: first its light and its refractive index, then direction and energy of what enters
+  // the crystal, then what became of it.
   std::vector<SpectralSample> light;
   Row iceIndex;
   Row inside[3], energy;

@@ -10,23 +10,25 @@
 
 namespace parhelion {
 
-/// Draws the rays of a run, many bundles at a time. Each is a pure function of the cloud, the settings and its index;
-/// rays are distributed like the light that the crystals intercept: each crystal in proportion to its projected area in
-/// its own orientation. For one thread.
+/// Draws the rays of a run, many bundles at a time. Each ray is a pure function of the cloud, the settings and its
+/// index.
+///
+/// Rays are distributed like the light that the crystals intercept: a crystal gets rays in proportion to its projected
+/// area in its own orientation. For one thread.
 class RaySource {
  public:
   /// Draws at most `room` bundles at a time. `cloud` must outlive the source.
   RaySource(const Cloud& cloud, const TraceSettings& settings, int room,
             const LaneSteps& steps = parhelion::laneSteps());
 
-  /// Draws bundles first ... first + count - 1 in place of what was drawn before, each into the queue of its
-  /// population.
+  /// Draws bundles first ... first + count - 1, each into the queue of its population. They replace what was drawn
+  /// before.
   void draw(std::uint64_t first, int count);
 
-  /// One a population, in the cloud's order.
+  /// One queue for each population, in the cloud's order.
   std::vector<RayQueue>& queues() { return queues_; }
 
-  /// Ray `index` of the run alone.
+  /// Ray `index` of the run, by itself.
   IncidentRay ray(std::uint64_t index);
 
   const Cloud& cloud() const { return cloud_; }
@@ -44,15 +46,15 @@ class RaySource {
   const Cloud& cloud_;
   const LaneSteps& steps_;
   std::uint64_t seed_;
-  std::vector<SobolPoints> sobol_;  // of the bundles of even and of odd number; none for independent numbers
+  std::vector<SobolPoints> sobol_;  // for bundles of even and of odd number; empty for independent numbers
   int room_;
 
   std::vector<RayQueue> queues_;
   IncidenceNumbers numbers_{};
   std::vector<std::uint64_t> waiting_;                  // bundles that have no ray yet
-  std::vector<std::vector<std::uint64_t>> candidates_;  // of them, by the population to be tried next
-  std::uint64_t first_ = 0;                             // of the bundles drawn
-  std::vector<Place> places_;                           // of the bundles drawn, in their order
+  std::vector<std::vector<std::uint64_t>> candidates_;  // the same, by the population that each tries next
+  std::uint64_t first_ = 0;                             // the first of the bundles drawn
+  std::vector<Place> places_;                           // where each of the bundles drawn is, in their order
 };
 
 }  // namespace parhelion

@@ -10,20 +10,20 @@
 
 namespace parhelion {
 
-/// Some bundles of rays of one population and all the light that has left their crystals.
+/// Some bundles of rays of one population, and all the light that has left their crystals.
 struct TracedRays {
   const RayQueue& queue;
   const ExitList& exits;
-  int members;  // rays a bundle; fewer than the queue has room for where the run's last bundle is cut short
+  int members;  // rays per bundle; fewer than the queue has room for if the run ends within a bundle
   const CrystalMesh& mesh;
-  const LaneSteps& steps;  // for whoever has more to do to many exits at a time
+  const LaneSteps& steps;  // for further work on many exits at a time
 };
 
-/// Puts things that belong to rays in the order of their bundles: those of the bundle at a place of the queue are
-/// item(i) for i from begin(place) to below begin(place + 1).
+/// Sorts items that belong to rays, such as exits, by their bundles. The items of the bundle at a place of the queue
+/// are item(i), with i from begin(place) up to but not including begin(place + 1).
 class ByBundle {
  public:
-  /// `ray` has the rays of `count` items.
+  /// `ray` holds for each of `count` items the ray that it belongs to (RayQueue::ray()).
   void sort(const RayQueue& queue, const AlignedVector<double>& ray, int count);
 
   int begin(int place) const { return begin_[place]; }

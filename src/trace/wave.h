@@ -15,25 +15,26 @@ struct TraceCounts {
   std::uint64_t rays = 0;
   std::uint64_t hits = 0;      // ray-face encounters
   std::uint64_t deposits = 0;  // exits of light
-  std::uint64_t placed = 0;    // PathTally::add()
-  std::uint64_t rescued = 0;   // encounters the engine missed and the planes decided
+  std::uint64_t placed = 0;    // times light found a place in the tally; see PathTally::add()
+  std::uint64_t rescued = 0;   // encounters for which the engine found no face and the planes decided
   EnergyLedger energy;
 
   void merge(const TraceCounts& other);
 };
 
-/// Follows many rays at a time through their crystals: rays wait in the queue, some are under way in the pool, their
-/// light comes out on the list of exits. For one thread.
+/// Follows many rays at a time through their crystals. Rays wait in a queue until there is room in the pool. Those in
+/// the pool are inside their crystals. Light that leaves is put on the list of exits. For one thread.
 class Wave {
  public:
-  /// Bundles that a wave is best given at a time: so many that the end of a queue, when few rays are left in the pool,
-  /// costs little; so few that all fits into the second-level cache.
+  /// How many bundles a wave is best given at a time. Few rays are left in the pool at the end of a queue; with this
+  /// many bundles that costs little. With more, the data would not fit into the second-level cache.
   static int bundles(const Cloud& cloud);
 
   /// `engines` must outlive the wave.
   Wave(const Cloud& cloud, const Engines& engines, const TraceSettings& settings, const LaneSteps& steps);
 
-  /// Traces bundles first ... first + count - 1, count <= bundles(), with so many members each, into `tally`.
+  /// Traces bundles first ... first + count - 1 into `tally`, of each the first `members` rays. `count` is at most
+  /// bundles().
   void trace(std::uint64_t first, int count, int members, PathTally& tally);
 
   const TraceCounts& counts() const { return counts_; }

@@ -14,7 +14,7 @@ namespace {
 const std::filesystem::path kSource = PARHELION_SOURCE_DIR;
 
 std::vector<std::filesystem::path> documents() {
-  std::vector<std::filesystem::path> all{kSource / "README.md"};
+  std::vector<std::filesystem::path> all{kSource / "README.md", kSource / "CONTRIBUTING.md"};
   for (const auto& entry : std::filesystem::directory_iterator(kSource / "docs"))
     if (entry.path().extension() == ".md") all.push_back(entry.path());
   return all;

@@ -7,11 +7,14 @@
 
 namespace parhelion {
 
-/// The adaptive reconstruction, 1/sr, channels as of plainRadiance(): every hit is spread over a kernel whose size
-/// follows the density of hits and whose shape follows the arcs, from wide kernels to narrow ones, and a correction by
-/// narrower kernels is kept only where it stands above the noise. Never negative luminance; all light of the sky's
-/// pixels is kept. The variance is that of the noise left over, measured as the difference between the pictures of the
-/// two halves of the rays; it says nothing of what the smoothing itself bends.
+/// The adaptive reconstruction, in 1/sr, with the channels of plainRadiance().
+///
+/// Every hit is spread over a kernel. The kernel's size follows the density of hits, its shape follows the arcs. The
+/// picture of wide kernels comes first. Then ever narrower kernels correct it, and a correction is kept only where it
+/// stands above the noise. The luminance is never negative, and all light in pixels with sky is kept.
+///
+/// The variance is that of the noise that is left, measured by the difference between the pictures of the two halves of
+/// the rays. It does not include the blur of the smoothing itself.
 Image adaptiveRadiance(const Tally& tally, const Watch& watch);
 
 }  // namespace parhelion

@@ -5,25 +5,28 @@
 
 namespace parhelion {
 
-/// What decides whether a correction, from kernels of 4n hits to kernels of n hits, is kept: sums over the sky pixels
-/// of a block of 2 x 2, everything relative to the pilot density.
+/// Sums over the sky pixels of a block of 2 x 2. They decide how much of a correction is kept. A correction is the
+/// difference that kernels of n hits make to the picture of kernels of 4n hits. Everything is relative to the density
+/// that placed the kernels.
 struct CorrectionSquares {
   float correction = 0.0F;  // squares of the correction
-  float noise = 0.0F;       // what Poisson noise alone would make of them
-  float colour = 0.0F;      // squares of what it changes in X - Y and Z - Y, X and Z being 1 where the light is white
+  float noise = 0.0F;       // the value of these squares that Poisson noise alone would give
+  float colour = 0.0F;      // squares of the correction's changes of X - Y and Z - Y, where white has X = Y = Z
   float pixels = 0.0F;
 };
 
-/// Corrections at half resolution, and how the noise compares with that of independent hits.
+/// The sums of all blocks, at half resolution, and how the noise compares with that of independent hits.
 struct Corrections {
   Grid<CorrectionSquares> blocks;
   double noiseRatio = 1.0;   // measured variance over that of independent hits
-  double colourRatio = 1.0;  // of what the noise changes in colour over what it would change in the luminance
+  double colourRatio = 1.0;  // squares that noise makes in colour, over those that it would make in the luminance
 };
 
-/// Compares the pictures of 4n and n = `hits` hits a kernel. Of every pixel, light 0 is the luminance and light 1 the
-/// difference between two independent halves of it, whose square is pure noise. Lights 2 and 3 are X and Z relative to
-/// white. Of these there are no halves: what changes in colour is taken for noise in half of all blocks.
+/// Compares the pictures `wide` of 4n hits per kernel and `narrow` of n = `hits` hits per kernel.
+///
+/// Light 0 of a pixel is the luminance. Light 1 is the difference between two independent halves of it, whose square is
+/// pure noise. Lights 2 and 3 are X and Z relative to white. They have no halves. So their noise is estimated from the
+/// median over the blocks, as if nothing but noise changed the colour in half of all blocks.
 template <std::size_t N>
 Corrections compareSizes(const SkyPyramid& sky, const KernelField& field, const Grid<Light<N>>& wide,
                          const Grid<Light<N>>& narrow, double hits);
@@ -33,17 +36,20 @@ extern template Corrections compareSizes(const SkyPyramid&, const KernelField&, 
 extern template Corrections compareSizes(const SkyPyramid&, const KernelField&, const Grid<Light<4>>&,
                                          const Grid<Light<4>>&, double);
 
-/// How much of each correction to keep, 0 to 1, at half resolution: all of what exceeds `caution` times the noise in
-/// the mean over windows somewhat wider than the kernels, and never more than `coarser`, the gates of the wider
-/// kernels (empty: none). So any sum of gated corrections is a mean of the filtered pictures: it stays positive.
+/// How much of each correction to keep, from 0 to 1, at half resolution.
+///
+/// Squares of correction and noise are averaged over windows somewhat wider than the kernels. The share of the mean
+/// square that exceeds `caution` times the noise is kept. A gate is never above its counterpart in `coarser`, the gates
+/// of the wider kernels (empty: there are none). So any sum of gated corrections is a weighted mean of the filtered
+/// pictures, and stays positive.
 Grid<float> correctionGates(const Corrections& corrections, const KernelField& field, double hits, double caution,
                             const Grid<float>& coarser);
 
-/// The same for corrections of colour.
+/// The same for the corrections of colour.
 Grid<float> colourGates(const Corrections& corrections, const KernelField& field, double hits, double caution,
                         const Grid<float>& coarser);
 
-/// A gate at a pixel, between the centres of the blocks.
+/// The gate at a pixel, interpolated between the centres of the blocks.
 float gateAt(const Grid<float>& gates, int x, int y);
 
 }  // namespace parhelion
