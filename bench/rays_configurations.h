@@ -28,8 +28,7 @@ inline constexpr std::array<Configuration, 7> kConfigurations{{
     {"planes", "planes", tracing(Engine::planes)},
     {"planes-sobol", "planes by Sobol' points", tracing(Engine::planes, PathMode::split, Sampler::sobol)},
     {"planes-mirror", "planes mirrored", tracing(Engine::planes, PathMode::split, Sampler::random, Symmetry::mirror)},
-    {"planes-radial", "planes in rings",
-     tracing(Engine::planes, PathMode::split, Sampler::random, Symmetry::radial)},
+    {"planes-radial", "planes in rings", tracing(Engine::planes, PathMode::split, Sampler::random, Symmetry::radial)},
 }};
 
 }  // namespace parhelion::bench

@@ -10,11 +10,10 @@
 #include "rays_plan.h"
 #include "recon/compare.h"
 #include "recon/reconstruct.h"
-#include "render/empty_tally.h"
+#include "render/exposure.h"
 #include "sky/radiance.h"
 #include "stopwatch.h"
 #include "trace/film.h"
-#include "trace/trace.h"
 #include "traced_tally.h"
 
 namespace parhelion::bench {
@@ -58,12 +57,10 @@ struct Truth {
 Point measure(const Truth& truth, const Configuration& configuration, std::uint64_t rays) {
   TraceSettings settings = configuration.settings;
   settings.rays = rays;
-  Tally tally = emptyTally(truth.loaded, truth.cloud, PARHELION_VERSION);
-  const auto film = makeFilm(tally, truth.cloud, settings.symmetry);
+  Tally tally = emptyTally(truth.loaded, truth.cloud);
   const Stopwatch watch;
-  const TraceReport report = traceRays(truth.cloud, settings, 0, *film, {.threads = 1, .onProgress = {}});
+  exposeTally(tally, truth.cloud, settings, 0, {.threads = 1, .onProgress = {}});
   Point point{rays, watch.read().cpuSeconds, {}, {}};
-  tally.info.rays = {{report.firstRay, report.rays}};
   point.plain = compare(plainRadiance(coarser(tally, kCoarser)), truth.coarse);
   point.adaptive = compare(reconstruct(tally, AdaptiveSettings{}).image, truth.fine);
   return point;
@@ -115,8 +112,7 @@ void measureErrorByTime(const RaysPlan& plan) {
     const LoadedScene loaded = load(plan, scene, 1, 1);
     Tally fine = reference(plan, scene);
     Tally coarse = coarser(fine, kCoarser);
-    const Truth truth{loaded, Cloud(loaded.scene.sun, loaded.scene.ice, loaded.scene.populations), std::move(fine),
-                      std::move(coarse)};
+    const Truth truth{loaded, cloudOf(loaded.scene), std::move(fine), std::move(coarse)};
     for (const Configuration& configuration : kConfigurations) {
       if (!allows(truth.cloud, configuration.settings.symmetry)) continue;
       const std::vector<Point> points = curve(plan, truth, configuration);

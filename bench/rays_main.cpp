@@ -14,12 +14,9 @@ using namespace parhelion::bench;
 namespace {
 
 constexpr std::pair<std::string_view, void (*)(const RaysPlan&)> kParts[] = {
-    {"engines", measureEngines},
-    {"error_by_time", measureErrorByTime},
-    {"scaling", measureScaling},
-    {"ring_position", measureRingPosition},
-    {"quality", measureQuality},
-    {"stages", measureStages},
+    {"engines", measureEngines}, {"error_by_time", measureErrorByTime},
+    {"scaling", measureScaling}, {"ring_position", measureRingPosition},
+    {"quality", measureQuality}, {"stages", measureStages},
     {"embree", measureEmbree},
 };
 

@@ -63,10 +63,9 @@ void measureQuality(const RaysPlan& plan) {
     const auto run = [&](std::uint64_t count, Tally& tally) {
       TraceSettings settings = tracing(Engine::planes);
       settings.rays = count;
+      settings.symmetry = symmetry;
       const Stopwatch watch;
-      const auto film = makeFilm(tally, cloud, symmetry);
-      const TraceReport report = traceRays(cloud, settings, 0, *film, {.threads = 1, .onProgress = {}});
-      tally.info.rays = {{0, report.rays}};
+      exposeTally(tally, cloud, settings, 0, {.threads = 1, .onProgress = {}});
       return watch.read().cpuSeconds;
     };
     // What a run costs however few its rays.

@@ -2,22 +2,14 @@
 #include "traced_tally.h"
 
 #include <cstdio>
-#include <utility>
 
-#include "render/empty_tally.h"
 #include "sky/tally_exr.h"
-#include "trace/sky_film.h"
 
 namespace parhelion::bench {
 
-TracedTally traceTally(const LoadedScene& loaded, const TraceControl& control) {
-  const Scene& scene = loaded.scene;
-  const Cloud cloud(scene.sun, scene.ice, scene.populations);
-  Tally tally = emptyTally(loaded, cloud, PARHELION_VERSION);
-  SkyFilm film(tally);
-  TraceReport report = traceRays(cloud, scene.trace, 0, film, control);
-  tally.info.rays = {{report.firstRay, report.rays}};
-  return {std::move(tally), std::move(report)};
+Exposure exposePlainly(LoadedScene loaded) {
+  loaded.scene.trace.symmetry = Symmetry::none;
+  return expose(loaded, cloudOf(loaded.scene));
 }
 
 Tally keptTally(const std::filesystem::path& path, const LoadedScene& loaded) {
@@ -27,7 +19,7 @@ Tally keptTally(const std::filesystem::path& path, const LoadedScene& loaded) {
   }
   std::fprintf(stderr, "tracing %llu rays: %s\n", static_cast<unsigned long long>(loaded.scene.trace.rays),
                path.stem().c_str());
-  Tally tally = traceTally(loaded).tally;
+  Tally tally = exposePlainly(loaded).tally;
   writeTallyExr(path, tally);
   return tally;
 }

@@ -3,19 +3,12 @@
 
 #include <filesystem>
 
-#include "scene/parse_scene.h"
-#include "sky/tally.h"
-#include "trace/trace.h"
+#include "render/exposure.h"
 
 namespace parhelion::bench {
 
-struct TracedTally {
-  Tally tally;
-  TraceReport report;
-};
-
-/// Traces a scene as its own settings say.
-TracedTally traceTally(const LoadedScene& loaded, const TraceControl& control = {});
+/// Traces a scene as its own settings say, but every ray for itself, whatever the sky's symmetry.
+Exposure exposePlainly(LoadedScene loaded);
 
 /// The tally of a scene from a file if it is there and of the same scene, else traced and kept there.
 Tally keptTally(const std::filesystem::path& path, const LoadedScene& loaded);

@@ -7,29 +7,15 @@
 #include "cli/commands.h"
 #include "cli/halo_source.h"
 #include "cli/photo_options.h"
-#include "cli/tally_run.h"
 #include "cli/text_output.h"
-#include "optics/ice.h"
 #include "parallel/threads.h"
-#include "photo/added_halo.h"
-#include "photo/editing_pictures.h"
-#include "photo/find_sky.h"
 #include "photo/found_mask.h"
 #include "photo/sky_match.h"
-#include "picture/colour_space.h"
-#include "picture/jpeg_patch.h"
-#include "sky/envmap.h"
-#include "view/overlay.h"
+#include "render/composite.h"
 
 namespace parhelion::cli {
 
 namespace {
-
-/// The 99th percentile of the halo adds this share of the sky's luminance when nothing else is said: a display that
-/// nobody overlooks.
-constexpr double kUsualContrast = 0.5;
-
-constexpr const char* kLayerFiles[] = {"halo.exr", "sum.exr", "halo-dodge.png", "mask.png", "grid.png"};
 
 struct CompositeOptions {
   std::string photo, output, mask, maskOutput, layers, white = "sun";
@@ -44,7 +30,6 @@ struct CompositeOptions {
     const std::filesystem::path out = output;
     return out.parent_path() / (out.stem().string() + "-mask.png");
   }
-  std::filesystem::path layer(const char* name) const { return std::filesystem::path(layers) / name; }
 };
 
 /// "1,0.9,0.8", positive; none where it is anything else.
@@ -82,78 +67,30 @@ void requireAll(const CompositeOptions& options) {
   check();
   if (options.layers.empty()) return;
   std::filesystem::create_directory(options.layers);
-  for (const char* name : kLayerFiles) outputs.push_back(options.layer(name).string());
+  for (const std::filesystem::path& layer : layerFiles(options.layers)) outputs.push_back(layer.string());
   check();
 }
 
 SkyMask maskOf(const CompositeOptions& options, const Photograph& photograph, const PhotoCamera& camera) {
-  if (options.allSky) return {photograph.width, photograph.height, std::vector<std::uint8_t>(photograph.pixels(), 255)};
-  if (options.mask.empty()) {
-    SkyMask found = findSky(photograph);
-    cutBelowHorizon(found, camera.camera);
-    return found;
-  }
-  SkyMask mask = readSkyMask(options.mask);
-  if (mask.width != photograph.width || mask.height != photograph.height)
-    throw std::runtime_error(options.mask + ": the mask has " + std::to_string(mask.width) + " x " +
-                             std::to_string(mask.height) + " pixels, the photograph, turned upright, " +
-                             std::to_string(photograph.width) + " x " + std::to_string(photograph.height));
-  return mask;
+  if (options.allSky) return allSky(photograph);
+  if (options.mask.empty()) return findSkyAbove(photograph, camera.camera, options.halo.run.threads);
+  return readSkyMaskOf(photograph, options.mask);
 }
 
-/// What the halo's radiance is multiplied by, in words on stderr too.
-Vec3 perRadiance(const CompositeOptions& options, const Photograph& photograph, const SkyMask& mask,
-                 const PhotoCamera& camera, const HaloLookup& halo) {
-  const bool quiet = options.halo.run.quiet;
-  std::optional<SkyTone> sky;
-  if (!options.strength || options.white == "sky") sky = skyTone(photograph, mask, camera.camera, camera.sunElevation);
-  Vec3 white = options.white == "sun" ? Vec3(1.0) : options.white == "sky" ? sky->colour : *colour(options.white);
-  white /= glm::dot(white, kRec709Luminance);
-  double strength = options.strength.value_or(0.0);
-  if (!options.strength) {
-    const double bright = brightHalo(halo, mask), contrast = options.contrast.value_or(kUsualContrast);
-    if (bright == 0.0 && !quiet) std::fprintf(stderr, "there is no halo in the photograph's sky\n");
-    if (bright > 0.0) strength = contrast * sky->luminance / bright;
-    if (!quiet)
-      std::fprintf(stderr, "strength: %g, by which the halo's bright parts have %g of the luminance of the sky%s\n",
-                   strength, contrast, sky->aroundSun ? " around the sun" : "");
-  }
-  return strength * white;
+HaloStrengthSettings strengthSettings(const CompositeOptions& options) {
+  HaloStrengthSettings settings;
+  settings.strength = options.strength;
+  if (options.contrast) settings.contrast = *options.contrast;
+  if (options.white != "sun") settings.white = options.white == "sky" ? std::nullopt : colour(options.white);
+  return settings;
 }
 
-void writeLayers(const CompositeOptions& options, const Photograph& photograph, const AddedHalo& added,
-                 const PhotoCamera& camera, const std::map<std::string, std::string>& text) {
-  writePhotograph(options.layer(kLayerFiles[0]), lightForEditing(added), text);
-  writePhotograph(options.layer(kLayerFiles[1]), sumForEditing(photograph, added), text);
-  writePhotograph(options.layer(kLayerFiles[2]), dodgeForEditing(photograph, added), text);
-  writeSkyMask(options.layer(kLayerFiles[3]), added.mask, text);
-  OverlaySettings grid;
-  grid.halos = true;
-  constexpr double kGreen = 550.0;  // nm
-  writeLineArt(options.layer(kLayerFiles[4]), drawOverlay(camera.camera, camera.sunElevation, iceIndex(kGreen), grid),
-               text);
+void say(const std::vector<std::string>& remarks, bool quiet) {
+  if (quiet) return;
+  for (const std::string& remark : remarks) std::fprintf(stderr, "%s\n", remark.c_str());
 }
 
-/// A JPEG out of a JPEG keeps what the halo does not touch, an EXR holds light beyond white.
-AddedHaloReport writeComposite(const CompositeOptions& options, Photograph& photograph, const AddedHalo& added,
-                               const PhotoCamera& camera, const std::map<std::string, std::string>& text) {
-  const std::filesystem::path out = options.output;
-  const std::string kind = extensionOf(out);
-  const bool codes = !std::holds_alternative<std::vector<float>>(photograph.samples);
-  const Envmap envmap = envmapOf(Camera(camera.camera));
-  if (kind == ".exr" && codes) writePhotograph(out, sumForEditing(photograph, added), text, envmap);
-  const AddedHaloReport done = addHalo(photograph, added);
-  if (kind == ".exr" && codes) return done;
-  if (kind != ".jpg" && kind != ".jpeg") {
-    writePhotograph(out, photograph, text, envmap);
-  } else if (!writePatchedJpeg(out, options.photo, photograph)) {
-    writePhotograph(out, photograph, text);
-  }
-  return done;
-}
-
-void report(const CompositeOptions& options, const Photograph& photograph, const AddedHaloReport& done) {
-  const double pixels = static_cast<double>(photograph.pixels());
+void report(const CompositeOptions& options, double pixels, const AddedHaloReport& done) {
   std::fprintf(stderr, "the halo touches %.1f %% of the picture", 100.0 * static_cast<double>(done.touched) / pixels);
   if (done.clipped > 0)
     std::fprintf(stderr, ", %.2f %% becomes whiter than white and is clipped",
@@ -172,30 +109,25 @@ int runComposite(const CompositeOptions& options) {
   requireSense(options);
   requireAll(options);
   const StopSignal stop;
+  const bool quiet = options.halo.run.quiet;
   Photograph photograph = readPhotograph(options.photo, options.camera.rules());
   const PhotoCamera camera = options.camera.camera(photograph, options.photo, options.halo.sunElevation());
-  if (!options.halo.run.quiet)
-    for (const std::string& remark : camera.remarks) std::fprintf(stderr, "%s\n", remark.c_str());
+  say(camera.remarks, quiet);
 
-  const int threads = options.halo.run.threads;
-  const SkyMask mask = withThreads(threads, [&] { return maskOf(options, photograph, camera); });
+  const SkyMask mask = maskOf(options, photograph, camera);
   if (options.findsSky()) requireUnchangedMask(options.foundMask());
-  const HaloSource::Result halo = options.halo.make(camera, stop);
-  const AddedHalo added{halo.lookup, mask, perRadiance(options, photograph, mask, camera, halo.lookup)};
+  const auto [halo, exit] = options.halo.make(camera, stop);
+  const HaloStrength strength =
+      haloStrength(strengthSettings(options), photograph, mask, camera.camera, camera.sunElevation, halo.lookup);
+  say(strength.remarks, quiet);
 
-  std::map<std::string, std::string> text = halo.attributes;
-  char strength[100];
-  std::snprintf(strength, sizeof strength, "%.9g %.9g %.9g", added.perRadiance.x, added.perRadiance.y,
-                added.perRadiance.z);
-  text[kStrengthKey] = strength;
-  text["Software"] = text["software"];
-  return withThreads(threads, [&] {
-    if (!options.layers.empty()) writeLayers(options, photograph, added, camera, text);
-    const AddedHaloReport done = writeComposite(options, photograph, added, camera, text);
-    if (options.findsSky()) writeFoundMask(options.foundMask(), mask, text["software"]);
-    if (!options.halo.run.quiet) report(options, photograph, done);
-    return halo.exitCode;
-  });
+  CompositeFiles files{options.photo, options.output, options.layers, {}};
+  if (options.findsSky()) files.foundMask = options.foundMask();
+  const double pixels = static_cast<double>(photograph.pixels());
+  const AddedHaloReport done = writeComposite(files, std::move(photograph), {halo.lookup, mask, strength.perRadiance},
+                                              camera, halo.attributes, options.halo.run.threads);
+  if (!quiet) report(options, pixels, done);
+  return exit;
 }
 
 }  // namespace

@@ -1,36 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/halo_source.h"
 
-#include <cmath>
-#include <cstdio>
-#include <stdexcept>
-
 #include "cli/commands.h"
-#include "cli/tally_run.h"
-#include "parallel/threads.h"
-#include "photo/halo_camera.h"
-#include "recon/reconstruct.h"
-#include "scene/camera_override.h"
+#include "cli/trace_watch.h"
 
 namespace parhelion::cli {
-
-namespace {
-
-std::string sunOverride(double elevation) {
-  char text[64];
-  std::snprintf(text, sizeof text, "sun.elevation=%.12g", degrees(elevation));
-  return text;
-}
-
-LoadedScene sceneIn(const ExrAttributes& attributes, const std::string& path,
-                    const std::vector<std::string>& overrides = {}) {
-  const auto scene = attributes.find(kSceneKey);
-  if (scene == attributes.end())
-    throw std::runtime_error(path + ": is no sky rendered by parhelion: it carries no scene that tells its camera");
-  return parseScene(scene->second, path, overrides);
-}
-
-}  // namespace
 
 void HaloSource::addTo(CLI::App& command) {
   command.add_option("--scene", run.scene, "The scene of the halo; its camera gives way to the photograph's")
@@ -59,49 +33,20 @@ void HaloSource::requireOne() const {
 }
 
 double HaloSource::sunElevation() const {
-  return picture.empty() ? run.load().scene.sun.elevation
-                         : sceneIn(readExrAttributes(picture), picture).scene.sun.elevation;
+  return picture.empty() ? run.load().scene.sun.elevation : sunElevationIn(picture);
 }
 
 HaloSource::Result HaloSource::make(const PhotoCamera& camera, const StopSignal& stop) const {
-  return picture.empty() ? render(camera, stop) : read(camera);
+  return picture.empty() ? render(camera, stop) : Result{readHalo(picture, camera), kDone};
 }
 
 HaloSource::Result HaloSource::render(const PhotoCamera& camera, const StopSignal& stop) const {
-  // The photograph has its own sun.
-  std::vector<std::string> overrides{sunOverride(camera.sunElevation), "sun.visible=false",
-                                     cameraOverride(camera.camera)};
-  const LoadedScene whole = run.load(overrides);
-  const CameraSettings coarse =
-      haloCamera(camera.camera, coarseness.value_or(finestNeeded(camera.camera, whole.scene.sun.diameter)));
-  overrides.back() = cameraOverride(coarse);
-  const LoadedScene loaded = run.load(overrides);
-  const TallyRun traced = traceTally(run, loaded, makeCloud(loaded.scene), stop);
-  const ReconstructedSky sky = withThreads(run.threads, [&] { return reconstruct(traced.tally, loaded.scene.recon); });
-  return {HaloLookup(sky.image, coarse, camera.camera), sceneAttributes(whole, traced.tally.info.rayCount()),
-          traced.result.exitCode()};
-}
-
-HaloSource::Result HaloSource::read(const PhotoCamera& camera) const {
-  const ExrFile sky = readExr(picture);
-  const LoadedScene loaded = sceneIn(sky.attributes, picture);
-  if (!sky.image.find("R") || !sky.image.find("G") || !sky.image.find("B"))
-    throw std::runtime_error(picture +
-                             ": holds hits or channels of its own, no picture; parhelion recon makes one of hits");
-  if (sky.attributes.contains(kStrengthKey))
-    throw std::runtime_error(picture +
-                             ": is made from a photograph; the sky must be one that render or recon has written");
-  const double off = std::abs(loaded.scene.sun.elevation - camera.sunElevation);
-  constexpr double kMostOff = radians(0.1);  // a fifth of the sun's disc; parhelia move far less
-  if (off > kMostOff) {
-    char text[200];
-    std::snprintf(text, sizeof text, ": its sun is at elevation %.3f degrees, that of the photograph at %.3f",
-                  degrees(loaded.scene.sun.elevation), degrees(camera.sunElevation));
-    throw std::runtime_error(picture + text);
-  }
-  ExrAttributes attributes = sky.attributes;
-  attributes[kSceneKey] = sceneIn(sky.attributes, picture, {cameraOverride(camera.camera)}).text;
-  return {HaloLookup(sky.image, loaded.scene.camera, camera.camera), std::move(attributes), kDone};
+  const SceneLoader load = [this](const std::vector<std::string>& overrides) { return run.load(overrides); };
+  const HaloScene scene = haloSceneFor(camera, coarseness, load);
+  TraceWatch watch(run, scene.coarse.scene.trace.rays, stop);
+  const Exposure exposure = expose(scene.coarse, cloudOf(scene.coarse.scene), watch.control());
+  const int exit = watch.report(exposure);
+  return {haloOf(exposure, scene, camera, run.threads), exit};
 }
 
 }  // namespace parhelion::cli

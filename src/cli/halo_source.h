@@ -4,10 +4,9 @@
 #include <optional>
 #include <string>
 
-#include "cli/photo_options.h"
 #include "cli/run_options.h"
-#include "photo/halo_lookup.h"
-#include "picture/exr.h"
+#include "cli/stop_signal.h"
+#include "render/halo_source.h"
 
 namespace parhelion::cli {
 
@@ -29,8 +28,7 @@ struct HaloSource {
   double sunElevation() const;
 
   struct Result {
-    HaloLookup lookup;
-    ExrAttributes attributes;  // with the scene of the whole picture: this camera, this sun
+    PhotoHalo halo;
     int exitCode;
   };
 
@@ -39,7 +37,6 @@ struct HaloSource {
 
  private:
   Result render(const PhotoCamera& camera, const StopSignal& stop) const;
-  Result read(const PhotoCamera& camera) const;
 };
 
 }  // namespace parhelion::cli

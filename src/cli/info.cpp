@@ -4,8 +4,8 @@
 #include <cstdio>
 
 #include "cli/commands.h"
-#include "cli/tally_run.h"
 #include "picture/exr.h"
+#include "render/scene_attributes.h"
 #include "scene/describe.h"
 #include "scene/parse_scene.h"
 

@@ -4,10 +4,11 @@
 
 #include "cli/commands.h"
 #include "cli/run_options.h"
-#include "cli/tally_run.h"
 #include "cli/text_output.h"
+#include "cli/trace_watch.h"
 #include "picture/exr.h"
-#include "trace/sky_map.h"
+#include "render/measurements.h"
+#include "render/scene_attributes.h"
 
 namespace parhelion::cli {
 
@@ -33,32 +34,18 @@ std::string csv(const SkyMap& map) {
   return text;
 }
 
-/// Channels Y (energy a bin) and stderr, the zenith's row on top.
-Image image(const SkyMap& map) {
-  Image image{map.columns(), map.rows(), {}};
-  image.add("Y");
-  image.add("stderr");
-  for (int row = 0; row < map.rows(); ++row)
-    for (int column = 0; column < map.columns(); ++column) {
-      const std::size_t pixel = static_cast<std::size_t>(map.rows() - 1 - row) * map.columns() + column;
-      image.channels[0].samples[pixel] = static_cast<float>(map.energy(column, row));
-      image.channels[1].samples[pixel] = static_cast<float>(map.error(column, row));
-    }
-  return image;
-}
-
 int runMap(const MapOptions& options, int binsPerHalfTurn) {
-  const LoadedScene loaded = options.run.loadWithoutSymmetry();
+  const LoadedScene loaded = options.run.load();
   requireOutputs(options.run.scene, {options.output, options.run.stats});
-  const Cloud cloud = makeCloud(loaded.scene);
-  SkyMap map(cloud.sun().toCentre(), binsPerHalfTurn);
   const StopSignal stop;
-  const RunResult result = runTrace(options.run, loaded.scene, cloud, map, stop);
+  TraceWatch watch(options.run, loaded.scene.trace.rays, stop);
+  const TracedMap traced = traceMap(loaded.scene, binsPerHalfTurn, watch.control());
+  const int exit = watch.report(traced);
   if (options.toExr())
-    writeBeautyExr(options.output, image(map), sceneAttributes(loaded, result.report.rays));
+    writeBeautyExr(options.output, mapPicture(traced.map), sceneAttributes(loaded, traced.report.rays));
   else
-    writeText(options.output, csv(map));
-  return result.exitCode();
+    writeText(options.output, csv(traced.map));
+  return exit;
 }
 
 }  // namespace

@@ -7,18 +7,9 @@
 
 #include <CLI/CLI.hpp>
 
-#include "photo/pointing.h"
-#include "picture/photograph.h"
-#include "sky/camera_settings.h"
+#include "photo/photo_camera.h"
 
 namespace parhelion::cli {
-
-/// The camera that took a photograph, and the sun it saw.
-struct PhotoCamera {
-  CameraSettings camera;             // its size is the photograph's
-  double sunElevation = 0.0;         // rad
-  std::vector<std::string> remarks;  // how it was found: what a user should hold against what is known
-};
 
 /// What a user says on the command line about a photograph's camera: its lens, and where it pointed.
 struct PhotoOptions {
@@ -45,12 +36,15 @@ struct PhotoOptions {
                      std::optional<double> sceneSunElevation) const;
 
  private:
-  CameraSettings lens(const Photograph& photograph, const std::string& path, std::vector<std::string>& remarks) const;
-  std::vector<PointingClue> clues(std::optional<double> elevationOfSun) const;
+  LensClues lensClues(const std::string& path) const;
+  PhotoLens lens(const Photograph& photograph, const std::string& path) const;
+  PointingClues pointingClues(std::optional<double> sceneSunElevation) const;
   std::string withNames(std::string message) const;
-  void point(PhotoCamera& found, const std::string& path, std::optional<double> sceneSunElevation) const;
-  void pointByAngles(PhotoCamera& found, const std::string& path, std::optional<double> elevationOfSun) const;
-  void pointByClues(PhotoCamera& found, const std::string& path, std::optional<double> sceneSunElevation) const;
+  PhotoCamera point(const CameraSettings& lens, const std::string& path, std::optional<double> sceneSunElevation) const;
+  PhotoCamera pointByAngles(const CameraSettings& lens, const std::string& path,
+                            std::optional<double> elevationOfSun) const;
+  PhotoCamera pointByClues(const CameraSettings& lens, const std::string& path,
+                           std::optional<double> sceneSunElevation) const;
 };
 
 }  // namespace parhelion::cli

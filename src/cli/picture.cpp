@@ -4,14 +4,7 @@
 #include <cstdio>
 
 #include "cli/run_options.h"
-#include "cli/tally_run.h"
-#include "picture/exr.h"
-#include "picture/png.h"
-#include "picture/tone.h"
-#include "sky/camera.h"
-#include "sky/draw_sun.h"
-#include "sky/envmap.h"
-#include "sky/radiance.h"
+#include "render/sky_files.h"
 
 namespace parhelion::cli {
 
@@ -37,38 +30,16 @@ std::filesystem::path PictureOptions::exr(const std::string& input) const {
   return path.replace_extension(".exr");
 }
 
-void writeSky(const std::filesystem::path& exr, Image& image, const TallyInfo& info, const LoadedScene& loaded) {
-  const Camera camera(info.camera);
-  if (loaded.scene.sun.visible) drawUndeviatedSun(image, camera, Sun(loaded.scene.sun), info.undeviatedFraction());
-  const Envmap envmap = envmapOf(camera);
-  // Blender takes a channel with a dot in its name for the sign of several layers, which it lights nothing with.
-  if (envmap == Envmap::latLong)
-    std::erase_if(image.channels, [](const Channel& channel) { return channel.name == kVarianceChannel; });
-  writeBeautyExr(exr, image, sceneAttributes(loaded, info.rayCount()), envmap);
-}
-
-std::string exposureText(double stops) {
-  char text[64];
-  std::snprintf(text, sizeof text, "%+.2f stops", stops);
-  return text;
-}
-
-void writePreview(const std::filesystem::path& png, const Preview& preview, double stops) {
-  writePng(png, preview, {{"Software", "parhelion " PARHELION_VERSION}, {"Exposure", exposureText(stops)}});
-}
-
 void writePicture(ReconstructedSky sky, const TallyInfo& info, const LoadedScene& loaded, const PictureOptions& options,
                   const std::string& input, bool quiet) {
-  const std::filesystem::path exr = options.exr(input), png = options.png(input);
-  writeSky(exr, sky.image, info, loaded);
-  const double stops = options.exposure ? *options.exposure : autoExposure(sky.image);
-  const Preview preview = developPreview(sky.image, {stops});
-  writePreview(png, preview, stops);
+  const SkyFiles files{options.exr(input), options.png(input), options.exposure};
+  const WrittenSky written = writeSkyFiles(files, std::move(sky.image), info, loaded);
   if (quiet) return;
   for (const std::string& remark : sky.remarks) std::fprintf(stderr, "recon: %s\n", remark.c_str());
-  std::fprintf(stderr, "wrote %s and %s (exposure %s)\n", exr.c_str(), png.c_str(), exposureText(stops).c_str());
-  if (preview.badPixels > 0)
-    std::fprintf(stderr, "%zu pixels are not finite and black in the preview\n", preview.badPixels);
+  std::fprintf(stderr, "wrote %s and %s (exposure %s)\n", files.exr.c_str(), files.png.c_str(),
+               exposureText(written.exposure).c_str());
+  if (written.badPixels > 0)
+    std::fprintf(stderr, "%zu pixels are not finite and black in the preview\n", written.badPixels);
 }
 
 }  // namespace parhelion::cli

@@ -6,8 +6,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include "picture/image.h"
-#include "picture/tone.h"
 #include "recon/reconstruct.h"
 #include "scene/parse_scene.h"
 #include "sky/tally.h"
@@ -26,16 +24,6 @@ struct PictureOptions {
   std::filesystem::path exr(const std::string& input) const;
   std::filesystem::path png(const std::string& input) const { return exr(input).replace_extension(".png"); }
 };
-
-/// Draws the sun into the image of a tally with that info if the scene makes it visible, and writes it as linear EXR
-/// with the scene inside. Throws std::runtime_error.
-void writeSky(const std::filesystem::path& exr, Image& image, const TallyInfo& info, const LoadedScene& loaded);
-
-/// An exposure as people and PNG texts read it: "+1.50 stops".
-std::string exposureText(double stops);
-
-/// Writes a preview developed at that exposure, which is among the PNG's texts. Throws std::runtime_error.
-void writePreview(const std::filesystem::path& png, const Preview& preview, double stops);
 
 /// Draws the sun into a sky reconstructed from a tally with that info if the scene makes it visible, and writes the
 /// linear EXR and the PNG preview. Says on stderr what was written, and what the reconstruction remarked, unless

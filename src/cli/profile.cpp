@@ -7,7 +7,8 @@
 #include "cli/run_options.h"
 #include "cli/stats.h"
 #include "cli/text_output.h"
-#include "trace/scatter_profile.h"
+#include "cli/trace_watch.h"
+#include "render/measurements.h"
 
 namespace parhelion::cli {
 
@@ -50,15 +51,16 @@ nlohmann::ordered_json json(const ScatterProfile::Summary& s) {
 }
 
 int runProfile(const ProfileOptions& options) {
-  const Scene scene = options.run.loadWithoutSymmetry().scene;
+  const Scene scene = options.run.load().scene;
   requireOutputs(options.run.scene, {options.output, options.summary, options.run.stats});
-  const Cloud cloud = makeCloud(scene);
-  ScatterProfile profile(options.bins, radians(options.from), radians(options.to));
   const StopSignal stop;
-  const RunResult result = runTrace(options.run, scene, cloud, profile, stop);
-  writeText(options.output, csv(profile));
-  if (!options.summary.empty()) writeJson(options.summary, json(profile.summary()));
-  return result.exitCode();
+  TraceWatch watch(options.run, scene.trace.rays, stop);
+  const TracedProfile traced =
+      traceProfile(scene, options.bins, radians(options.from), radians(options.to), watch.control());
+  const int exit = watch.report(traced);
+  writeText(options.output, csv(traced.profile));
+  if (!options.summary.empty()) writeJson(options.summary, json(traced.profile.summary()));
+  return exit;
 }
 
 }  // namespace

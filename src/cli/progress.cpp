@@ -7,45 +7,51 @@
 
 namespace parhelion::cli {
 
+namespace {
+
+constexpr double kRedrawSeconds = 0.25;
+
+}  // namespace
+
+Progress::Progress(Style style, Pace pace)
+    : style_(style),
+      pace_(pace),
+      redraws_(style == Style::people && isatty(STDERR_FILENO)),
+      lastStep_(pace.firstLine - 1) {
+  if (style_ == Style::people && !redraws_ && !pace_.inLogs) style_ = Style::none;
+}
+
+void Progress::update(double share, double seconds, const std::function<std::string(Style)>& line) {
+  if (style_ == Style::none) return;
+  const int step = static_cast<int>(share * (redraws_ ? 100.0 : 10.0));
+  const bool timed = redraws_ && pace_.timed;
+  const bool due = timed ? seconds - lastSeconds_ >= kRedrawSeconds || share >= 1.0 : step > lastStep_;
+  if (!due) return;
+  lastSeconds_ = seconds;
+  lastStep_ = step;
+  const std::string text = line(style_);
+  // Spaces cover what is left of a longer line.
+  if (redraws_)
+    std::fprintf(stderr, "\r%s%s", text.c_str(), pace_.timed ? "    " : "");
+  else
+    std::fprintf(stderr, "%s\n", text.c_str());
+  open_ = redraws_;
+}
+
+void Progress::finish() {
+  if (open_) std::fputc('\n', stderr);
+  open_ = false;
+}
+
+Progress::Style progressStyle(bool quiet, const std::string& progress) {
+  return quiet ? Progress::Style::none : progress == "json" ? Progress::Style::json : Progress::Style::people;
+}
+
 Readable readable(double count) {
   if (count >= 1e9) return {count / 1e9, "G"};
   if (count >= 1e6) return {count / 1e6, "M"};
   if (count >= 1e3) return {count / 1e3, "k"};
   return {count, ""};
-}
-
-Progress::Progress(std::uint64_t total, Style style) : total_(total), style_(style), terminal_(isatty(STDERR_FILENO)) {}
-
-void Progress::update(std::uint64_t done, double seconds) {
-  if (style_ == Style::none) return;
-  const int tenth = static_cast<int>(10.0 * static_cast<double>(done) / static_cast<double>(total_));
-  const bool due = terminal_ && style_ == Style::people ? seconds - lastDrawn_ >= 0.25 : tenth > lastTenth_;
-  if (!due && done < total_) return;
-  lastDrawn_ = seconds;
-  lastTenth_ = tenth;
-  print(done, seconds);
-}
-
-void Progress::print(std::uint64_t done, double seconds) {
-  const double rate = seconds > 0.0 ? static_cast<double>(done) / seconds : 0.0;
-  const double left = rate > 0.0 ? static_cast<double>(total_ - done) / rate : 0.0;
-  if (style_ == Style::json) {
-    std::fprintf(
-        stderr,
-        "{\"rays\": %llu, \"of\": %llu, \"seconds\": %.3f, \"rays_per_second\": %.0f, \"seconds_left\": %.1f}\n",
-        static_cast<unsigned long long>(done), static_cast<unsigned long long>(total_), seconds, rate, left);
-    return;
-  }
-  const Readable rays = readable(static_cast<double>(done)), all = readable(static_cast<double>(total_)),
-                 speed = readable(rate);
-  std::fprintf(stderr, "%s%5.1f %%  %.3g%s of %.3g%s rays, %.3g%s rays/s, %.0f s left%s", terminal_ ? "\r" : "",
-               100.0 * static_cast<double>(done) / static_cast<double>(total_), rays.value, rays.suffix, all.value,
-               all.suffix, speed.value, speed.suffix, left, terminal_ ? "    " : "\n");
-  drawn_ = true;
-}
-
-void Progress::finish() {
-  if (terminal_ && drawn_) std::fputc('\n', stderr);
 }
 
 }  // namespace parhelion::cli

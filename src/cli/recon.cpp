@@ -5,17 +5,19 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include <unistd.h>
 #include <nlohmann/json.hpp>
 
 #include "cli/commands.h"
 #include "cli/picture.h"
+#include "cli/progress.h"
 #include "cli/run_options.h"
 #include "cli/stats.h"
+#include "cli/stop_signal.h"
 #include "cli/text_output.h"
 #include "parallel/threads.h"
 #include "picture/png.h"
 #include "recon/compare.h"
+#include "render/scene_attributes.h"
 #include "sky/confidence.h"
 #include "sky/tally_exr.h"
 
@@ -46,29 +48,15 @@ struct ReconOptions {
   }
 };
 
-/// Shows on stderr how far a reconstruction is: redrawn each percent on a terminal, as JSON a line each tenth.
-class ReconProgress {
- public:
-  ReconProgress(bool json, bool quiet) : json_(json && !quiet), terminal_(!json && !quiet && isatty(STDERR_FILENO)) {}
-
-  ~ReconProgress() {
-    if (terminal_ && last_ >= 0) std::fputc('\n', stderr);
-  }
-
-  void update(double share, double seconds) {
-    const int step = static_cast<int>(share * (json_ ? 10.0 : 100.0));
-    if ((!json_ && !terminal_) || step <= last_) return;
-    last_ = step;
-    if (json_)
-      std::fprintf(stderr, "{\"share\": %.3f, \"seconds\": %.3f}\n", share, seconds);
-    else
-      std::fprintf(stderr, "\rreconstruction %3d %%", step);
-  }
-
- private:
-  bool json_, terminal_;
-  int last_ = -1;
-};
+/// "reconstruction  42 %", or a line of JSON.
+std::string progressLine(Progress::Style style, double share, double seconds) {
+  char line[100];
+  if (style == Progress::Style::json)
+    std::snprintf(line, sizeof line, "{\"share\": %.3f, \"seconds\": %.3f}", share, seconds);
+  else
+    std::snprintf(line, sizeof line, "reconstruction %3d %%", static_cast<int>(share * 100.0));
+  return line;
+}
 
 struct ReconRun {
   ReconstructedSky sky;
@@ -79,13 +67,16 @@ struct ReconRun {
 ReconRun timedReconstruction(const ReconOptions& options, const Tally& tally, const ReconSettings& settings) {
   using Clock = std::chrono::steady_clock;
   const StopSignal stop;
-  ReconProgress progress(options.progress == "json", options.quiet);
+  Progress progress(progressStyle(options.quiet, options.progress), Progress::kOfReconstruction);
   const double cpuBefore = processUsage().cpuSeconds;
   const Clock::time_point start = Clock::now();
   const auto elapsed = [start] { return std::chrono::duration<double>(Clock::now() - start).count(); };
   Watch watch;
   watch.stop = &stop.requested();
-  watch.onProgress = [&](double share) { progress.update(share, elapsed()); };
+  watch.onProgress = [&](double share) {
+    const double seconds = elapsed();
+    progress.update(share, seconds, [&](Progress::Style style) { return progressLine(style, share, seconds); });
+  };
   ReconRun run{withThreads(options.threads, [&] { return reconstruct(tally, settings, watch); })};
   run.seconds = elapsed();
   run.cpuSeconds = processUsage().cpuSeconds - cpuBefore;
@@ -198,8 +189,7 @@ int runRecon(const ReconOptions& options) {
     return kInterrupted;
   }
   // Before the sun is drawn.
-  if (!options.confidence.empty())
-    writePng(options.confidence, confidence(run.sky.image), {{"Software", "parhelion " PARHELION_VERSION}});
+  if (!options.confidence.empty()) writePng(options.confidence, confidence(run.sky.image), {{"Software", kSoftware}});
   if (!options.stats.empty()) writeReconStats(options, tally, nameOf(loaded.scene.recon), run);
   printComparison(options, run, references);
   writePicture(std::move(run.sky), tally.info, loaded, options.picture, name, options.quiet);

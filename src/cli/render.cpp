@@ -2,9 +2,10 @@
 #include "cli/commands.h"
 #include "cli/picture.h"
 #include "cli/run_options.h"
-#include "cli/tally_run.h"
 #include "cli/text_output.h"
+#include "cli/trace_watch.h"
 #include "parallel/threads.h"
+#include "render/sky_files.h"
 
 namespace parhelion::cli {
 
@@ -21,10 +22,12 @@ int runRender(const RenderOptions& options) {
   requireOutputs(scene, {options.picture.exr(scene), options.picture.png(scene), options.run.stats});
   // Also while the picture is made, so that a late Ctrl-C does not lose what was traced.
   const StopSignal stop;
-  const TallyRun run = traceTally(options.run, loaded, makeCloud(loaded.scene), stop);
-  ReconstructedSky sky = withThreads(options.run.threads, [&] { return reconstruct(run.tally, loaded.scene.recon); });
-  writePicture(std::move(sky), run.tally.info, loaded, options.picture, scene, options.run.quiet);
-  return run.result.exitCode();
+  TraceWatch watch(options.run, loaded.scene.trace.rays, stop);
+  const Exposure exposure = expose(loaded, cloudOf(loaded.scene), watch.control());
+  const int exit = watch.report(exposure);
+  ReconstructedSky sky = developSky(exposure, loaded, options.run.threads);
+  writePicture(std::move(sky), exposure.tally.info, loaded, options.picture, scene, options.run.quiet);
+  return exit;
 }
 
 }  // namespace

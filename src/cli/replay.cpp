@@ -6,7 +6,7 @@
 #include "cli/commands.h"
 #include "cli/run_options.h"
 #include "math/rotation.h"
-#include "trace/light_path.h"
+#include "render/measurements.h"
 
 namespace parhelion::cli {
 
@@ -104,11 +104,8 @@ void printPath(const LightPath& path, const std::string& population) {
 
 int runReplay(const ReplayOptions& options) {
   const Scene scene = loadScene(options.scene, options.overrides).scene;
-  const Cloud cloud = makeCloud(scene);
-  LightPath path;
-  path.recordEncounters = true;
-  RaySource source(cloud, scene.trace, 1);
-  followRay(source, makeEngines(cloud, scene.trace.engine), scene.trace, options.ray, path);
+  const Cloud cloud = cloudOf(scene);
+  const LightPath path = replayRay(scene, cloud, options.ray);
   const std::string& population = cloud.populations()[path.incident.population].name();
   if (options.json)
     std::printf("%s\n", pathJson(path, population).dump(2).c_str());

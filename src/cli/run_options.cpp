@@ -4,9 +4,6 @@
 #include <charconv>
 #include <cstdio>
 
-#include "cli/commands.h"
-#include "cli/progress.h"
-#include "cli/stats.h"
 #include "scene/suggest.h"
 
 namespace parhelion::cli {
@@ -150,40 +147,6 @@ LoadedScene RunOptions::load(const std::vector<std::string>& more) const {
   }
   all.insert(all.end(), more.begin(), more.end());
   return loadScene(scene, all);
-}
-
-LoadedScene RunOptions::loadWithoutSymmetry() const {
-  LoadedScene loaded = load();
-  loaded.scene.trace.symmetry = Symmetry::none;
-  return loaded;
-}
-
-int RunResult::exitCode() const { return signalled ? kInterrupted : kDone; }
-
-Cloud makeCloud(const Scene& scene) { return Cloud(scene.sun, scene.ice, scene.populations); }
-
-RunResult runTrace(const RunOptions& options, const Scene& scene, const Cloud& cloud, PathTally& tally,
-                   const StopSignal& stop) {
-  Progress progress(scene.trace.rays, options.quiet                ? Progress::Style::none
-                                      : options.progress == "json" ? Progress::Style::json
-                                                                   : Progress::Style::people);
-  TraceControl control;
-  control.threads = options.threads;
-  control.simd = valueOf<Simd>(options.simd);
-  control.timeLimit = options.timeLimit;
-  control.stop = &stop.requested();
-  control.onProgress = [&](std::uint64_t done, double seconds) { progress.update(done, seconds); };
-
-  RunResult result;
-  result.report = traceRays(cloud, scene.trace, 0, tally, control);
-  result.signalled = result.report.interrupted && stop.requested();
-  progress.finish();
-  if (!options.quiet) printLedger(result.report);
-  if (options.stats.empty()) return result;
-  Scene traced = scene;
-  traced.trace.engine = engineOf(cloud, scene.trace.engine);
-  writeStats(options.stats, traced, result.report, options.threads);
-  return result;
 }
 
 }  // namespace parhelion::cli

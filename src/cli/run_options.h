@@ -9,10 +9,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include "cli/stop_signal.h"
 #include "scene/names.h"
 #include "scene/parse_scene.h"
-#include "trace/trace.h"
 
 namespace parhelion::cli {
 
@@ -37,9 +35,6 @@ struct RunOptions {
 
   /// The scene with all overrides applied, and then `more`. Throws SceneError.
   LoadedScene load(const std::vector<std::string>& more = {}) const;
-
-  /// The same for commands that count every ray for itself, whatever the sky's symmetry.
-  LoadedScene loadWithoutSymmetry() const;
 };
 
 /// Adds -D key=value, which overrides a key of the scene, to a subcommand.
@@ -59,21 +54,5 @@ template <class Family>
 CLI::Validator nameOfOne() {
   return oneOf(acceptedNames<Family>());
 }
-
-/// How a run ended.
-struct RunResult {
-  TraceReport report;
-  bool signalled = false;  // a signal asked it to stop
-
-  int exitCode() const;
-};
-
-/// Traces what the scene asks for into `tally`: with progress on stderr, stopping at the batch's end on SIGINT and
-/// SIGTERM, with the energy ledger printed and the stats file written at the end.
-RunResult runTrace(const RunOptions& options, const Scene& scene, const Cloud& cloud, PathTally& tally,
-                   const StopSignal& stop);
-
-/// The cloud of a scene.
-Cloud makeCloud(const Scene& scene);
 
 }  // namespace parhelion::cli

@@ -35,7 +35,7 @@ void printLedger(const TraceReport& report) {
                energy.lost.value() * per, std::abs(energy.imbalance()));
 }
 
-void writeStats(const std::string& path, const Scene& scene, const TraceReport& report, int threads) {
+void writeStats(const std::string& path, const TraceSettings& settings, const TraceReport& report, int threads) {
   const ProcessUsage usage = processUsage();
   const double rays = static_cast<double>(report.rays);
   nlohmann::ordered_json json;
@@ -48,12 +48,12 @@ void writeStats(const std::string& path, const Scene& scene, const TraceReport& 
   json["cpu_seconds"] = usage.cpuSeconds;
   json["rays_per_second"] = report.seconds > 0.0 ? rays / report.seconds : 0.0;
   json["deposits_placed"] = report.placed;
-  json["engine"] = nameOf(scene.trace.engine);
-  json["path"] = nameOf(scene.trace.path);
-  json["sampler"] = nameOf(scene.trace.sampler);
-  json["symmetry"] = nameOf(scene.trace.symmetry);
+  json["engine"] = nameOf(settings.engine);
+  json["path"] = nameOf(settings.path);
+  json["sampler"] = nameOf(settings.sampler);
+  json["symmetry"] = nameOf(settings.symmetry);
   json["simd_lanes"] = report.simdLanes;
-  json["seed"] = scene.trace.seed;
+  json["seed"] = settings.seed;
   json["threads"] = threadCount(threads);
   json["peak_memory_bytes"] = usage.peakMemory;
   json["energy"] = {{"in", report.energy.in.value()},

@@ -6,8 +6,8 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "scene/scene.h"
 #include "trace/trace.h"
+#include "trace/trace_settings.h"
 
 namespace parhelion::cli {
 
@@ -15,7 +15,7 @@ namespace parhelion::cli {
 void printLedger(const TraceReport& report);
 
 /// Writes the run's figures as JSON; `threads` 0 is one a processor. Throws std::runtime_error.
-void writeStats(const std::string& path, const Scene& scene, const TraceReport& report, int threads);
+void writeStats(const std::string& path, const TraceSettings& settings, const TraceReport& report, int threads);
 
 /// What the process has used so far.
 struct ProcessUsage {

@@ -1,24 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <chrono>
-#include <cmath>
 #include <cstdio>
 
 #include "cli/commands.h"
-#include "cli/picture.h"
-#include "cli/sweep_frames.h"
-#include "cli/tally_run.h"
+#include "cli/run_options.h"
 #include "cli/text_output.h"
-#include "parallel/threads.h"
+#include "cli/trace_watch.h"
+#include "render/sky_files.h"
+#include "render/sweep.h"
+#include "scene/key_range.h"
 #include "view/contact_sheet.h"
 
 namespace parhelion::cli {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 struct SweepOptions {
   RunOptions run;
@@ -55,6 +50,20 @@ std::vector<std::vector<std::string>> valuesOf(const SweepOptions& options) {
   }
 }
 
+FrameNames frameNamesOf(const std::string& pattern) {
+  try {
+    return FrameNames(pattern);
+  } catch (const std::invalid_argument& error) {
+    throw CLI::ValidationError("-o", error.what());
+  }
+}
+
+/// The scene with the frame's own values after those of -D.
+LoadedScene loadFrame(RunOptions run, const std::vector<std::string>& own) {
+  run.overrides.insert(run.overrides.end(), own.begin(), own.end());
+  return run.load();
+}
+
 /// Throws before anything is rendered if something cannot be written.
 void requireOutputsOf(const SweepOptions& options, const std::vector<SweepFrame>& frames) {
   if (!options.contactSheet.empty() && frames.size() > kMaxSheetPictures)
@@ -75,16 +84,6 @@ void reportPlan(const std::vector<SweepFrame>& frames) {
   std::fputc('\n', stderr);
 }
 
-/// Renders a frame as render does. False, and nothing is written, if it was stopped before all its rays were traced.
-bool renderFrame(const RunOptions& run, const SweepFrame& frame, const StopSignal& stop, double& worstImbalance) {
-  const TallyRun traced = traceTally(run, frame.loaded, makeCloud(frame.loaded.scene), stop);
-  if (traced.result.report.interrupted) return false;
-  worstImbalance = std::max(worstImbalance, std::abs(traced.result.report.energy.imbalance()));
-  ReconstructedSky sky = withThreads(run.threads, [&] { return reconstruct(traced.tally, frame.loaded.scene.recon); });
-  writeSky(frame.exr, sky.image, traced.tally.info, frame.loaded);
-  return true;
-}
-
 void reportFrame(const RunOptions& run, const SweepFrame& frame, std::size_t number, std::size_t count,
                  double seconds) {
   if (run.quiet) return;
@@ -95,72 +94,26 @@ void reportFrame(const RunOptions& run, const SweepFrame& frame, std::size_t num
 }
 
 /// Renders what is lacking. False if a signal or the time limit, which is for the whole sweep, came first.
-bool renderFrames(const RunOptions& run, const std::vector<SweepFrame>& frames, const StopSignal& stop) {
-  const Clock::time_point start = Clock::now();
-  double worstImbalance = 0.0;
-  bool rendered = false;
-  for (std::size_t i = 0; i < frames.size(); ++i) {
-    if (frames[i].lacks.empty()) continue;
-    const Clock::time_point frameStart = Clock::now();
-    RunOptions one = run;
-    one.quiet = true;  // a line a frame is enough
-    one.timeLimit = run.timeLimit - secondsSince(start);
-    if (stop.requested() || one.timeLimit <= 0.0 || !renderFrame(one, frames[i], stop, worstImbalance)) return false;
-    reportFrame(run, frames[i], i + 1, frames.size(), secondsSince(frameStart));
-    rendered = true;
-  }
-  if (rendered && !run.quiet) std::fprintf(stderr, "energy: open by at most %.1e in any frame\n", worstImbalance);
-  return !stop.requested();
+bool renderLacking(const RunOptions& run, const std::vector<SweepFrame>& frames, const StopSignal& stop) {
+  SweepControl control{traceControl(run, stop), {}};
+  control.onFrame = [&](std::size_t frame, double seconds) {
+    reportFrame(run, frames[frame], frame + 1, frames.size(), seconds);
+  };
+  const SweepReport report = renderFrames(frames, control);
+  if (report.complete && report.rendered > 0 && !run.quiet)
+    std::fprintf(stderr, "energy: open by at most %.1e in any frame\n", report.worstImbalance);
+  return report.complete && !stop.requested();
 }
 
-/// Median of the exposures that the frames would choose for themselves, of those that have light: a few frames that
-/// are nearly dark or flooded do not matter, and no two frames differ.
-double medianExposure(const std::vector<SweepFrame>& frames) {
-  std::vector<double> stops;
-  for (const SweepFrame& frame : frames) {
-    const Image image = readExr(frame.exr).image;
-    const std::vector<float>& green = *image.rgb()[1];
-    if (std::any_of(green.begin(), green.end(), [](float g) { return g > 0.0F; })) stops.push_back(autoExposure(image));
-  }
-  if (stops.empty()) return 0.0;
-  std::sort(stops.begin(), stops.end());
-  return 0.5 * (stops[(stops.size() - 1) / 2] + stops[stops.size() / 2]);
-}
-
-std::vector<std::string> labelsOf(const SweepFrame& frame) {
-  std::vector<std::string> labels = frame.values;
-  for (std::string& label : labels) label[label.find('=')] = ' ';
-  return labels;
-}
-
-SheetLayout layoutOf(const std::vector<SweepFrame>& frames) {
-  int width = 1, height = 1;
-  for (const SweepFrame& frame : frames) {
-    width = std::max(width, frame.loaded.scene.camera.width);
-    height = std::max(height, frame.loaded.scene.camera.height);
-  }
-  return layOutSheet(frames.size(), width, height, static_cast<int>(frames.front().values.size()));
-}
-
-/// The previews of all frames and their contact sheet, if one is asked for, with one exposure. False if a signal came.
-bool writePreviews(const SweepOptions& options, const std::vector<SweepFrame>& frames, const StopSignal& stop) {
-  const double stops = options.exposure ? *options.exposure : medianExposure(frames);
-  const SheetLayout layout = layoutOf(frames);
-  std::vector<SheetCell> cells;
-  std::size_t badPixels = 0;
-  for (const SweepFrame& frame : frames) {
-    if (stop.requested()) return false;
-    const Image image = readExr(frame.exr).image;
-    const Preview preview = developPreview(image, {stops});
-    badPixels += preview.badPixels;
-    writePreview(frame.png(), preview, stops);
-    if (!options.contactSheet.empty()) cells.push_back({reducedToFit(image, layout), labelsOf(frame)});
-  }
-  if (!cells.empty()) writePreview(options.contactSheet, contactSheet(layout, cells, stops), stops);
-  if (options.run.quiet) return true;
-  std::fprintf(stderr, "previews of %zu frames at exposure %s%s\n", frames.size(), exposureText(stops).c_str(),
+/// The previews of all frames and their contact sheet, if one is asked for. False if a signal came.
+bool makePreviews(const SweepOptions& options, const std::vector<SweepFrame>& frames, const StopSignal& stop) {
+  const auto written = writePreviews(frames, {options.exposure, options.contactSheet, &stop.requested()});
+  if (!written || options.run.quiet) return written.has_value();
+  std::fprintf(stderr, "previews of %zu frames at exposure %s%s\n", frames.size(),
+               exposureText(written->exposure).c_str(),
                options.exposure ? "" : ", the median of what the frames would choose");
-  if (badPixels > 0) std::fprintf(stderr, "%zu pixels are not finite and black in the previews\n", badPixels);
+  if (written->badPixels > 0)
+    std::fprintf(stderr, "%zu pixels are not finite and black in the previews\n", written->badPixels);
   return true;
 }
 
@@ -175,13 +128,14 @@ void reportWritten(const SweepOptions& options, const std::vector<SweepFrame>& f
 }
 
 int runSweep(const SweepOptions& options) {
-  const FrameNames names(options.output);
+  const FrameNames names = frameNamesOf(options.output);
   const std::vector<std::vector<std::string>> values = valuesOf(options);
-  const std::vector<SweepFrame> frames = planFrames(options.run, values, names, options.first);
+  const FrameLoader load = [&](const std::vector<std::string>& own) { return loadFrame(options.run, own); };
+  const std::vector<SweepFrame> frames = planFrames(values, load, names, options.first);
   requireOutputsOf(options, frames);
   if (!options.run.quiet) reportPlan(frames);
   const StopSignal stop;
-  if (renderFrames(options.run, frames, stop) && writePreviews(options, frames, stop)) {
+  if (renderLacking(options.run, frames, stop) && makePreviews(options, frames, stop)) {
     if (!options.run.quiet) reportWritten(options, frames);
     return kDone;
   }

@@ -3,8 +3,8 @@
 
 #include "cli/commands.h"
 #include "cli/run_options.h"
-#include "cli/tally_run.h"
 #include "cli/text_output.h"
+#include "cli/trace_watch.h"
 #include "sky/tally_exr.h"
 
 namespace parhelion::cli {
@@ -20,10 +20,12 @@ int runTraceCommand(const TraceOptions& options) {
   const LoadedScene loaded = options.run.load();
   requireOutputs(options.run.scene, {options.output, options.run.stats});
   const StopSignal stop;
-  const TallyRun run = traceTally(options.run, loaded, makeCloud(loaded.scene), stop);
-  writeTallyExr(options.output, run.tally);
+  TraceWatch watch(options.run, loaded.scene.trace.rays, stop);
+  const Exposure exposure = expose(loaded, cloudOf(loaded.scene), watch.control());
+  const int exit = watch.report(exposure);
+  writeTallyExr(options.output, exposure.tally);
   if (!options.run.quiet) std::fprintf(stderr, "wrote %s\n", options.output.c_str());
-  return run.result.exitCode();
+  return exit;
 }
 
 }  // namespace

@@ -6,13 +6,13 @@
 #include <utility>
 
 #include "cli/commands.h"
-#include "cli/tally_run.h"
 #include "cli/text_output.h"
 #include "cli/view_input.h"
 #include "cli/view_options.h"
 #include "cli/view_profile.h"
 #include "optics/ice.h"
 #include "picture/transfer.h"
+#include "render/scene_attributes.h"
 #include "scene/parse_scene.h"
 #include "scene/view_difference.h"
 #include "view/beside.h"
@@ -148,7 +148,7 @@ Photograph reduced(const Photograph& photograph, int reduction) {
 }
 
 void writeView(View view, const ViewInput& input, const ViewOptions& options) {
-  std::map<std::string, std::string> said{{"Software", "parhelion " PARHELION_VERSION}};
+  std::map<std::string, std::string> said{{"Software", kSoftware}};
   // Of two pictures neither's scene holds for the whole.
   if (const auto scene = input.scene(); scene && options.beside.empty() && options.reduction == 1)
     said[kSceneKey] = *scene;
@@ -202,7 +202,7 @@ std::vector<View> pictureViews(const std::vector<ViewInput>& pictures, const Vie
     views.push_back(difference(pictures[0], pictures[1], options));
   for (std::size_t i = 0; i < views.size() && options.drawsLines(); ++i) {
     const LineArt lines = linesOver(pictures[i], cameras[i], options);
-    if (!options.layer.empty()) writeLineArt(options.layer, lines, {{"Software", "parhelion " PARHELION_VERSION}});
+    if (!options.layer.empty()) writeLineArt(options.layer, lines, {{"Software", kSoftware}});
     layOver(views[i].picture, lines);
   }
   return views;

@@ -3,10 +3,10 @@
 
 #include <stdexcept>
 
-#include "cli/tally_run.h"
 #include "photo/sky_mask.h"
 #include "picture/exr.h"
 #include "picture/tone.h"
+#include "render/scene_attributes.h"
 #include "sky/radiance.h"
 #include "sky/tally_exr.h"
 

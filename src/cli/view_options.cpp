@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/view_options.h"
 
-#include <charconv>
-#include <string_view>
-
+#include "cli/number_list.h"
 #include "cli/run_options.h"
 #include "view/dots.h"
 #include "view/gaussian_blur.h"
@@ -16,30 +14,15 @@ constexpr const char* kUsualCircles = "9,18,20,22,23,24,35,46";  // degrees: the
 constexpr double kMostAmount = 1000.0;
 constexpr double kLeastRadius = 0.1;  // pixels
 
-/// Numbers with commas between them; empty where the text is anything else.
-std::vector<double> listOf(std::string_view text) {
-  std::vector<double> all;
-  for (;;) {
-    double value = 0.0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc()) return {};
-    all.push_back(value);
-    text.remove_prefix(static_cast<std::size_t>(end - text.data()));
-    if (text.empty()) return all;
-    if (text.front() != ',') return {};
-    text.remove_prefix(1);
-  }
-}
-
 std::string validCircles(const std::string& text) {
-  const std::vector<double> radii = listOf(text);
+  const std::vector<double> radii = commaSeparated(text);
   bool good = !radii.empty();
   for (const double radius : radii) good = good && radius > 0.0 && radius < 180.0;
   return good ? "" : "expected radii in degrees, for one 22,46, not '" + text + "'";
 }
 
 std::string validUnsharp(const std::string& text) {
-  const std::vector<double> pair = listOf(text);
+  const std::vector<double> pair = commaSeparated(text);
   const bool good =
       pair.size() == 2 && pair[0] >= 0.0 && pair[0] <= kMostAmount && pair[1] >= kLeastRadius && pair[1] <= kMaxBlur;
   return good ? "" : "expected AMOUNT,RADIUS, for one 3,20 (radius 0.1 to 4096 pixels), not '" + text + "'";
@@ -168,13 +151,13 @@ OverlaySettings ViewOptions::overlaySettings() const {
   settings.zenith = overlay || zenith;
   settings.labels = overlay || labels;
   settings.halos = overlay || halos;
-  for (const double radius : listOf(!circles.empty() ? circles : overlay ? "22,46" : ""))
+  for (const double radius : commaSeparated(!circles.empty() ? circles : overlay ? "22,46" : ""))
     settings.circles.push_back(radians(radius));
   return settings;
 }
 
 UnsharpSettings ViewOptions::unsharpSettings() const {
-  const std::vector<double> pair = listOf(unsharp);
+  const std::vector<double> pair = commaSeparated(unsharp);
   return {pair[0], pair[1]};
 }
 

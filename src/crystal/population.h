@@ -31,7 +31,7 @@ class Population {
  private:
   std::string name_;
   double weight_;
-  bool mirrorSymmetric_, fullyRandom_;  // crystal/symmetry.h
+  bool mirrorSymmetric_, fullyRandom_;       // crystal/symmetry.h
   std::shared_ptr<const CrystalMesh> mesh_;  // at its only aspect ratio, or at aspect 1 to be stretched
   std::optional<ValueSampler> aspect_;       // when it is spread
   OrientationSampler orientation_;

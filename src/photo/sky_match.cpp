@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <stdexcept>
 #include <type_traits>
@@ -89,6 +90,27 @@ double brightHalo(const HaloLookup& halo, const SkyMask& mask) {
   const auto place = luminances.begin() + static_cast<std::ptrdiff_t>(luminances.size() * 99 / 100);
   std::nth_element(luminances.begin(), place, luminances.end());
   return *place;
+}
+
+HaloStrength haloStrength(const HaloStrengthSettings& settings, const Photograph& photograph, const SkyMask& mask,
+                          const CameraSettings& camera, double sunElevation, const HaloLookup& halo) {
+  std::optional<SkyTone> sky;
+  if (!settings.strength || !settings.white) sky = skyTone(photograph, mask, camera, sunElevation);
+  Vec3 white = settings.white ? *settings.white : sky->colour;
+  white /= glm::dot(white, kRec709Luminance);
+  if (settings.strength) return {*settings.strength * white, {}};
+
+  double strength = 0.0;
+  std::vector<std::string> remarks;
+  const double bright = brightHalo(halo, mask);
+  if (bright == 0.0) remarks.emplace_back("there is no halo in the photograph's sky");
+  if (bright > 0.0) strength = settings.contrast * sky->luminance / bright;
+  char text[200];
+  std::snprintf(text, sizeof text,
+                "strength: %g, by which the halo's bright parts have %g of the luminance of the sky%s", strength,
+                settings.contrast, sky->aroundSun ? " around the sun" : "");
+  remarks.emplace_back(text);
+  return {strength * white, remarks};
 }
 
 }  // namespace parhelion

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
+#include <string>
+#include <vector>
+
 #include "photo/halo_lookup.h"
 #include "photo/sky_mask.h"
 #include "picture/photograph.h"
@@ -25,5 +29,21 @@ SkyTone skyTone(const Photograph& photograph, const SkyMask& mask, const CameraS
 /// Luminance that the brightest hundredth of the photograph's sky, by the halo's light, has at least: 1/sr. 0 where
 /// there is no halo in the sky.
 double brightHalo(const HaloLookup& halo, const SkyMask& mask);
+
+/// How strong a halo is to be in a photograph, and of which colour.
+struct HaloStrengthSettings {
+  std::optional<double> strength;  // linear samples (white is 1) per 1/sr; none: by contrast
+  double contrast = 0.5;           // luminance of the halo's bright parts over the sky's: what nobody overlooks
+  std::optional<Vec3> white{1.0};  // R, G, B of white in the halo, as bright as may be; none: that of the sky
+};
+
+struct HaloStrength {
+  Vec3 perRadiance;                  // R, G, B; what one unit of the halo's radiance adds to linear samples
+  std::vector<std::string> remarks;  // what was chosen
+};
+
+/// Throws std::invalid_argument where the sky must be measured and cannot be.
+HaloStrength haloStrength(const HaloStrengthSettings& settings, const Photograph& photograph, const SkyMask& mask,
+                          const CameraSettings& camera, double sunElevation, const HaloLookup& halo);
 
 }  // namespace parhelion

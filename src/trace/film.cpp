@@ -21,4 +21,12 @@ std::unique_ptr<PathTally> makeFilm(Tally& tally, const Cloud& cloud, Symmetry s
   return std::make_unique<SkyFilm>(tally, chosen == Symmetry::mirror);
 }
 
+TraceReport exposeTally(Tally& tally, const Cloud& cloud, const TraceSettings& settings, std::uint64_t firstRay,
+                        const TraceControl& control) {
+  const auto film = makeFilm(tally, cloud, settings.symmetry);
+  TraceReport report = traceRays(cloud, settings, firstRay, *film, control);
+  if (report.rays > 0) tally.info.rays = {{report.firstRay, report.rays}};
+  return report;
+}
+
 }  // namespace parhelion

@@ -47,9 +47,7 @@ Cloud oneSidedPlates() {
 Image platesSky() {
   const Cloud cloud = oneSidedPlates();
   Tally tally(wholeSphere(), 1);
-  const auto film = makeFilm(tally, cloud, Symmetry::none);
-  const TraceReport report = traceRays(cloud, {.rays = 1'000'000, .seed = 5}, 0, *film);
-  tally.info.rays = {{0, report.rays}};
+  exposeTally(tally, cloud, {.rays = 1'000'000, .seed = 5, .symmetry = Symmetry::none});
   return plainRadiance(tally);
 }
 

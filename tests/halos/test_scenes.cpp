@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "halos/edge_fit.h"
+#include "render/exposure.h"
 #include "scene/parse_scene.h"
 #include "trace/film.h"
 
@@ -122,7 +123,7 @@ TEST_CASE("of every scene's symmetry the most is used: rings for random crystals
   for (const std::string& file : sceneFiles()) {
     CAPTURE(file);
     const Scene scene = loadScene(kScenes / file).scene;
-    const Cloud cloud(scene.sun, scene.ice, scene.populations);
+    const Cloud cloud = cloudOf(scene);
     const bool random = file == "random-columns.toml" || file == "pyramids.toml";
     CHECK(scene.trace.symmetry == Symmetry::automatic);
     CHECK(symmetryOf(cloud, scene.trace.symmetry) == (random ? Symmetry::radial : Symmetry::mirror));
@@ -138,7 +139,7 @@ TEST_CASE("every scene shows at 550 nm what its header says, where it says it") 
     const Scene settings = loadScene(kScenes / scene.file, overrides).scene;
     std::vector<Histogram> histograms;
     for (const Claim& claim : scene.claims) histograms.push_back(around(claim));
-    forEachRay(Cloud(settings.sun, settings.ice, settings.populations), 1'000'000, [&](const LightPath& path) {
+    forEachRay(cloudOf(settings), 1'000'000, [&](const LightPath& path) {
       for (const Exit& exit : path.exits)
         for (std::size_t i = 0; i < histograms.size(); ++i) addExit(scene.claims[i], path, exit, histograms[i]);
     });

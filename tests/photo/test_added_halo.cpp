@@ -8,6 +8,7 @@
 #include "photo/added_halo.h"
 #include "photo/editing_pictures.h"
 #include "photo/sky_match.h"
+#include "picture/colour_space.h"
 #include "picture/transfer.h"
 
 using namespace parhelion;
@@ -169,4 +170,31 @@ TEST_CASE("a mask of another size is refused") {
   const HaloLookup halo(even(kWidth, kHeight, {1.0, 1.0, 1.0}), settings, settings);
   Photograph photograph = plain<std::uint8_t>(kWidth, kHeight, 3, 90);
   CHECK_THROWS_AS(addHalo(photograph, {halo, mask(kWidth, kHeight - 1, 255), Vec3(0.1)}), std::invalid_argument);
+}
+
+TEST_CASE("a halo's strength follows from its contrast with the sky, and its white from the sky where that is asked") {
+  const CameraSettings lens = camera(kWidth, kHeight);
+  const HaloLookup halo(even(kWidth, kHeight, {2.0, 2.0, 2.0}), lens, lens);
+  Photograph sky = plain<float>(kWidth, kHeight, 3, 0.25F);
+  const SkyMask all = mask(kWidth, kHeight, 255);
+
+  const HaloStrength usual = haloStrength({}, sky, all, lens, radians(20.0), halo);
+  CHECK(usual.perRadiance.y == doctest::Approx(0.5 * 0.25 / 2.0).epsilon(1e-9));
+  CHECK(usual.perRadiance.x == doctest::Approx(usual.perRadiance.z).epsilon(1e-12));
+  CHECK(usual.remarks.size() == 1);
+
+  std::vector<float>& samples = std::get<std::vector<float>>(sky.samples);
+  for (std::size_t i = 2; i < samples.size(); i += 3) samples[i] = 0.5F;
+  HaloStrengthSettings settings;
+  settings.strength = 3.0;
+  settings.white.reset();
+  const HaloStrength blue = haloStrength(settings, sky, all, lens, radians(20.0), halo);
+  CHECK(blue.perRadiance.z == doctest::Approx(2.0 * blue.perRadiance.y).epsilon(1e-6));
+  CHECK(glm::dot(blue.perRadiance, kRec709Luminance) == doctest::Approx(3.0).epsilon(1e-12));
+  CHECK(blue.remarks.empty());
+
+  const HaloLookup dark(even(kWidth, kHeight, Vec3(0.0)), lens, lens);
+  const HaloStrength none = haloStrength({}, sky, all, lens, radians(20.0), dark);
+  CHECK(none.perRadiance == Vec3(0.0));
+  CHECK(none.remarks.size() == 2);
 }

@@ -58,11 +58,9 @@ inline Tally expose(const Cloud& cloud, const CameraSettings& camera, const Trac
   info.camera = camera;
   info.white = cloud.spectrum().white();
   Tally tally(info, cloud.spectrum().colours());
-  const auto film = makeFilm(tally, cloud, settings.symmetry);
   TraceControl control;
   control.threads = threads;
-  traceRays(cloud, settings, firstRay, *film, control);
-  tally.info.rays = {{firstRay, settings.rays - firstRay}};
+  exposeTally(tally, cloud, settings, firstRay, control);
   return tally;
 }
 

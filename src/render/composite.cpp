@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/composite.h"
+
+#include <cstdio>
+#include <map>
+#include <stdexcept>
+#include <string>
+
+#include "optics/ice.h"
+#include "parallel/threads.h"
+#include "photo/editing_pictures.h"
+#include "photo/find_sky.h"
+#include "photo/found_mask.h"
+#include "picture/jpeg_patch.h"
+#include "sky/envmap.h"
+#include "view/overlay.h"
+
+namespace parhelion {
+
+namespace {
+
+using Text = std::map<std::string, std::string>;
+
+/// What the pictures say of themselves.
+Text textOf(const ExrAttributes& attributes, const Vec3& perRadiance) {
+  Text text = attributes;
+  char strength[100];
+  std::snprintf(strength, sizeof strength, "%.9g %.9g %.9g", perRadiance.x, perRadiance.y, perRadiance.z);
+  text[kStrengthKey] = strength;
+  text["Software"] = text["software"];
+  return text;
+}
+
+void writeLayers(const CompositeFiles& files, const Photograph& photograph, const AddedHalo& added,
+                 const PhotoCamera& camera, const Text& text) {
+  const std::vector<std::filesystem::path> layers = layerFiles(files.layers);
+  writePhotograph(layers[0], lightForEditing(added), text);
+  writePhotograph(layers[1], sumForEditing(photograph, added), text);
+  writePhotograph(layers[2], dodgeForEditing(photograph, added), text);
+  writeSkyMask(layers[3], added.mask, text);
+  OverlaySettings grid;
+  grid.halos = true;
+  constexpr double kGreen = 550.0;  // nm
+  writeLineArt(layers[4], drawOverlay(camera.camera, camera.sunElevation, iceIndex(kGreen), grid), text);
+}
+
+AddedHaloReport writePicture(const CompositeFiles& files, Photograph& photograph, const AddedHalo& added,
+                             const PhotoCamera& camera, const Text& text) {
+  const std::string kind = extensionOf(files.output);
+  const bool codes = !std::holds_alternative<std::vector<float>>(photograph.samples);
+  const Envmap envmap = envmapOf(Camera(camera.camera));
+  if (kind == ".exr" && codes) writePhotograph(files.output, sumForEditing(photograph, added), text, envmap);
+  const AddedHaloReport done = addHalo(photograph, added);
+  if (kind == ".exr" && codes) return done;
+  if (kind != ".jpg" && kind != ".jpeg") {
+    writePhotograph(files.output, photograph, text, envmap);
+  } else if (!writePatchedJpeg(files.output, files.photo, photograph)) {
+    writePhotograph(files.output, photograph, text);
+  }
+  return done;
+}
+
+}  // namespace
+
+SkyMask allSky(const Photograph& photograph) {
+  return {photograph.width, photograph.height, std::vector<std::uint8_t>(photograph.pixels(), 255)};
+}
+
+SkyMask findSkyAbove(const Photograph& photograph, const CameraSettings& camera, int threads) {
+  SkyMask found = withThreads(threads, [&] { return findSky(photograph); });
+  cutBelowHorizon(found, camera);
+  return found;
+}
+
+SkyMask readSkyMaskOf(const Photograph& photograph, const std::filesystem::path& path) {
+  SkyMask mask = readSkyMask(path);
+  if (mask.width != photograph.width || mask.height != photograph.height)
+    throw std::runtime_error(path.string() + ": the mask has " + std::to_string(mask.width) + " x " +
+                             std::to_string(mask.height) + " pixels, the photograph, turned upright, " +
+                             std::to_string(photograph.width) + " x " + std::to_string(photograph.height));
+  return mask;
+}
+
+std::vector<std::filesystem::path> layerFiles(const std::filesystem::path& layers) {
+  std::vector<std::filesystem::path> files;
+  if (layers.empty()) return files;
+  for (const char* name : {"halo.exr", "sum.exr", "halo-dodge.png", "mask.png", "grid.png"})
+    files.push_back(layers / name);
+  return files;
+}
+
+AddedHaloReport writeComposite(const CompositeFiles& files, Photograph photograph, const AddedHalo& added,
+                               const PhotoCamera& camera, const ExrAttributes& attributes, int threads) {
+  const Text text = textOf(attributes, added.perRadiance);
+  return withThreads(threads, [&] {
+    if (!files.layers.empty()) writeLayers(files, photograph, added, camera, text);
+    const AddedHaloReport done = writePicture(files, photograph, added, camera, text);
+    if (!files.foundMask.empty()) writeFoundMask(files.foundMask, added.mask, text.at("software"));
+    return done;
+  });
+}
+
+}  // namespace parhelion

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "scene/parse_scene.h"
+#include "sky/tally.h"
+#include "trace/cloud.h"
+#include "trace/trace.h"
+
+namespace parhelion {
+
+/// The cloud of a scene.
+Cloud cloudOf(const Scene& scene);
+
+/// What a run's settings come to in a cloud: engine and symmetry are chosen where the scene leaves the choice. The
+/// engine stays `automatic` where not all crystals are convex, for then each gets its own.
+TraceSettings chosenSettings(const Cloud& cloud, const TraceSettings& asked);
+
+/// How a scene was traced.
+struct TracedScene {
+  TraceReport report;
+  TraceSettings settings;  // as chosen
+};
+
+/// A scene traced into the tally of its camera.
+struct Exposure : TracedScene {
+  Tally tally;
+};
+
+/// A tally of a scene's camera with all that is known before its rays are traced by this version of the program.
+/// `cloud` is the scene's.
+Tally emptyTally(const LoadedScene& loaded, const Cloud& cloud);
+
+/// Traces a scene into the tally of its camera, with all that the tally's info says filled in. `cloud` is the scene's.
+/// Where the control stops the run, the tally is that of the rays traced until then. The same bits for any number of
+/// threads. Throws as traceRays() does.
+Exposure expose(const LoadedScene& loaded, const Cloud& cloud, const TraceControl& control = {});
+
+}  // namespace parhelion

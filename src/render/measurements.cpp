@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/measurements.h"
+
+#include "trace/engine.h"
+#include "trace/ray_source.h"
+
+namespace parhelion {
+
+namespace {
+
+TraceSettings withoutSymmetry(const Cloud& cloud, TraceSettings settings) {
+  settings.symmetry = Symmetry::none;
+  return chosenSettings(cloud, settings);
+}
+
+}  // namespace
+
+TracedMap traceMap(const Scene& scene, int binsPerHalfTurn, const TraceControl& control) {
+  const Cloud cloud = cloudOf(scene);
+  TracedMap traced{{{}, withoutSymmetry(cloud, scene.trace)}, SkyMap(cloud.sun().toCentre(), binsPerHalfTurn)};
+  traced.report = traceRays(cloud, traced.settings, 0, traced.map, control);
+  return traced;
+}
+
+Image mapPicture(const SkyMap& map) {
+  Image image{map.columns(), map.rows(), {}};
+  image.add("Y");
+  image.add("stderr");
+  for (int row = 0; row < map.rows(); ++row)
+    for (int column = 0; column < map.columns(); ++column) {
+      const std::size_t pixel = static_cast<std::size_t>(map.rows() - 1 - row) * map.columns() + column;
+      image.channels[0].samples[pixel] = static_cast<float>(map.energy(column, row));
+      image.channels[1].samples[pixel] = static_cast<float>(map.error(column, row));
+    }
+  return image;
+}
+
+TracedProfile traceProfile(const Scene& scene, int bins, double from, double to, const TraceControl& control) {
+  const Cloud cloud = cloudOf(scene);
+  TracedProfile traced{{{}, withoutSymmetry(cloud, scene.trace)}, ScatterProfile(bins, from, to)};
+  traced.report = traceRays(cloud, traced.settings, 0, traced.profile, control);
+  return traced;
+}
+
+LightPath replayRay(const Scene& scene, const Cloud& cloud, std::uint64_t ray) {
+  LightPath path;
+  path.recordEncounters = true;
+  RaySource source(cloud, scene.trace, 1);
+  followRay(source, makeEngines(cloud, scene.trace.engine), scene.trace, ray, path);
+  return path;
+}
+
+}  // namespace parhelion

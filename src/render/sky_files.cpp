@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/sky_files.h"
+
+#include <cstdio>
+
+#include "parallel/threads.h"
+#include "picture/png.h"
+#include "render/scene_attributes.h"
+#include "sky/camera.h"
+#include "sky/draw_sun.h"
+#include "sky/envmap.h"
+#include "sky/radiance.h"
+
+namespace parhelion {
+
+ReconstructedSky developSky(const Exposure& exposure, const LoadedScene& loaded, int threads) {
+  return withThreads(threads, [&] { return reconstruct(exposure.tally, loaded.scene.recon); });
+}
+
+void writeSky(const std::filesystem::path& exr, Image& image, const TallyInfo& info, const LoadedScene& loaded) {
+  const Camera camera(info.camera);
+  if (loaded.scene.sun.visible) drawUndeviatedSun(image, camera, Sun(loaded.scene.sun), info.undeviatedFraction());
+  const Envmap envmap = envmapOf(camera);
+  // Blender takes a channel with a dot in its name for the sign of several layers, which it lights nothing with.
+  if (envmap == Envmap::latLong)
+    std::erase_if(image.channels, [](const Channel& channel) { return channel.name == kVarianceChannel; });
+  writeBeautyExr(exr, image, sceneAttributes(loaded, info.rayCount()), envmap);
+}
+
+std::string exposureText(double stops) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%+.2f stops", stops);
+  return text;
+}
+
+void writePreview(const std::filesystem::path& png, const Preview& preview, double stops) {
+  writePng(png, preview, {{"Software", kSoftware}, {"Exposure", exposureText(stops)}});
+}
+
+WrittenSky writeSkyFiles(const SkyFiles& files, Image image, const TallyInfo& info, const LoadedScene& loaded) {
+  writeSky(files.exr, image, info, loaded);
+  const double stops = files.exposure ? *files.exposure : autoExposure(image);
+  const Preview preview = developPreview(image, {stops});
+  writePreview(files.png, preview, stops);
+  return {stops, preview.badPixels};
+}
+
+}  // namespace parhelion

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "picture/image.h"
+#include "picture/tone.h"
+#include "recon/reconstruct.h"
+#include "render/exposure.h"
+
+namespace parhelion {
+
+/// The sky of an exposure, reconstructed as its scene says. `threads` 0: one a processor.
+ReconstructedSky developSky(const Exposure& exposure, const LoadedScene& loaded, int threads);
+
+/// Draws the sun into the image of a tally with that info if the scene makes it visible, and writes it as linear EXR
+/// with the scene inside. Throws std::runtime_error.
+void writeSky(const std::filesystem::path& exr, Image& image, const TallyInfo& info, const LoadedScene& loaded);
+
+/// An exposure as people and PNG texts read it: "+1.50 stops".
+std::string exposureText(double stops);
+
+/// Writes a preview developed at that exposure, which is among the PNG's texts. Throws std::runtime_error.
+void writePreview(const std::filesystem::path& png, const Preview& preview, double stops);
+
+/// Where the two files of a sky go.
+struct SkyFiles {
+  std::filesystem::path exr, png;
+  std::optional<double> exposure;  // of the preview, stops; none: chosen by the picture
+};
+
+/// What was written.
+struct WrittenSky {
+  double exposure;        // of the preview, stops
+  std::size_t badPixels;  // not finite in the sky, black in the preview
+};
+
+/// Writes a sky reconstructed from a tally with that info as writeSky() does, and its preview. Throws
+/// std::runtime_error.
+WrittenSky writeSkyFiles(const SkyFiles& files, Image image, const TallyInfo& info, const LoadedScene& loaded);
+
+}  // namespace parhelion

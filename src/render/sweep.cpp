@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/sweep.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <vector>
+
+#include "picture/exr.h"
+#include "render/exposure.h"
+#include "render/sky_files.h"
+#include "view/contact_sheet.h"
+
+namespace parhelion {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+/// Renders a frame as render does. None, and nothing is written, if it was stopped before all its rays were traced.
+std::optional<TraceReport> renderFrame(const SweepFrame& frame, const TraceControl& control) {
+  const Exposure exposure = expose(frame.loaded, cloudOf(frame.loaded.scene), control);
+  if (exposure.report.interrupted) return std::nullopt;
+  ReconstructedSky sky = developSky(exposure, frame.loaded, control.threads);
+  writeSky(frame.exr, sky.image, exposure.tally.info, frame.loaded);
+  return exposure.report;
+}
+
+/// Median of the exposures that the frames would choose for themselves, of those that have light: a few frames that
+/// are nearly dark or flooded do not matter, and no two frames differ.
+double medianExposure(std::span<const SweepFrame> frames) {
+  std::vector<double> stops;
+  for (const SweepFrame& frame : frames) {
+    const Image image = readExr(frame.exr).image;
+    const std::vector<float>& green = *image.rgb()[1];
+    if (std::any_of(green.begin(), green.end(), [](float g) { return g > 0.0F; })) stops.push_back(autoExposure(image));
+  }
+  if (stops.empty()) return 0.0;
+  std::sort(stops.begin(), stops.end());
+  return 0.5 * (stops[(stops.size() - 1) / 2] + stops[stops.size() / 2]);
+}
+
+std::vector<std::string> labelsOf(const SweepFrame& frame) {
+  std::vector<std::string> labels = frame.values;
+  for (std::string& label : labels) label[label.find('=')] = ' ';
+  return labels;
+}
+
+SheetLayout layoutOf(std::span<const SweepFrame> frames) {
+  int width = 1, height = 1;
+  for (const SweepFrame& frame : frames) {
+    width = std::max(width, frame.loaded.scene.camera.width);
+    height = std::max(height, frame.loaded.scene.camera.height);
+  }
+  return layOutSheet(frames.size(), width, height, static_cast<int>(frames.front().values.size()));
+}
+
+}  // namespace
+
+SweepReport renderFrames(std::span<const SweepFrame> frames, const SweepControl& control) {
+  const Clock::time_point start = Clock::now();
+  SweepReport report;
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    if (frames[i].lacks.empty()) continue;
+    const Clock::time_point frameStart = Clock::now();
+    TraceControl one = control.trace;
+    one.timeLimit -= secondsSince(start);
+    if ((one.stop && *one.stop) || one.timeLimit <= 0.0) return report;
+    const std::optional<TraceReport> traced = renderFrame(frames[i], one);
+    if (!traced) return report;
+    report.worstImbalance = std::max(report.worstImbalance, std::abs(traced->energy.imbalance()));
+    ++report.rendered;
+    if (control.onFrame) control.onFrame(i, secondsSince(frameStart));
+  }
+  report.complete = true;
+  return report;
+}
+
+std::optional<SweepPreviews> writePreviews(std::span<const SweepFrame> frames, const SweepPreviewSettings& settings) {
+  SweepPreviews written;
+  written.exposure = settings.exposure ? *settings.exposure : medianExposure(frames);
+  const SheetLayout layout = layoutOf(frames);
+  std::vector<SheetCell> cells;
+  for (const SweepFrame& frame : frames) {
+    if (settings.stop && *settings.stop) return std::nullopt;
+    const Image image = readExr(frame.exr).image;
+    const Preview preview = developPreview(image, {written.exposure});
+    written.badPixels += preview.badPixels;
+    writePreview(frame.png(), preview, written.exposure);
+    if (!settings.contactSheet.empty()) cells.push_back({reducedToFit(image, layout), labelsOf(frame)});
+  }
+  if (!cells.empty())
+    writePreview(settings.contactSheet, contactSheet(layout, cells, written.exposure), written.exposure);
+  return written;
+}
+
+}  // namespace parhelion

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <doctest/doctest.h>
+
+#include <atomic>
+#include <cmath>
+
+#include "picture/temporary_directory.h"
+#include "render/measurements.h"
+#include "render/scenes.h"
+#include "render/sky_files.h"
+
+using namespace parhelion;
+using namespace parhelion::test;
+
+namespace {
+
+bool sameLight(const Tally& a, const Tally& b) {
+  for (int pixel = 0; pixel < a.pixels(); ++pixel)
+    for (int slot = 0; slot < a.slots(); ++slot)
+      if (a.raw(pixel, slot) != b.raw(pixel, slot)) return false;
+  return a.info.intercepted == b.info.intercepted && a.info.undeviated == b.info.undeviated;
+}
+
+TraceControl threads(int count) {
+  TraceControl control;
+  control.threads = count;
+  return control;
+}
+
+}  // namespace
+
+TEST_CASE("an exposure has the same bits with one thread and with three, and its tally knows what it is of") {
+  const LoadedScene loaded = smallScene();
+  const Cloud cloud = cloudOf(loaded.scene);
+  const Exposure one = expose(loaded, cloud, threads(1)), three = expose(loaded, cloud, threads(3));
+  CHECK(one.tally == three.tally);
+  CHECK(one.tally.info.rays == std::vector<RayRange>{{0, 20'000}});
+  CHECK(one.tally.info.scene == loaded.text);
+  CHECK(one.tally.info.version == PARHELION_VERSION);
+  CHECK(one.tally.info.camera == loaded.scene.camera);
+  CHECK(one.tally.info.interceptedLight() > 20'000 * 0.9);
+  CHECK(std::abs(one.report.energy.imbalance()) < 1e-9);
+}
+
+TEST_CASE("a run says which engine and symmetry were chosen for it") {
+  const auto chosen = [](const LoadedScene& loaded) {
+    return chosenSettings(cloudOf(loaded.scene), loaded.scene.trace);
+  };
+  CHECK(chosen(columnsScene()).symmetry == Symmetry::radial);
+  CHECK(chosen(columnsScene()).engine == Engine::planes);
+  CHECK(chosen(smallScene()).symmetry == Symmetry::mirror);
+  CHECK(chosen(smallScene({"trace.symmetry='none'"})).symmetry == Symmetry::none);
+  CHECK(chosen(smallScene({"trace.engine='embree'"})).engine == Engine::embree);
+
+  const LoadedScene loaded = smallScene();
+  const Exposure exposure = expose(loaded, cloudOf(loaded.scene));
+  CHECK(exposure.settings.symmetry == Symmetry::mirror);
+  CHECK(exposure.settings.engine == Engine::planes);
+  CHECK(exposure.settings.rays == 20'000);
+}
+
+TEST_CASE("maps and profiles count every ray for itself") {
+  const Scene scene = columnsScene().scene;
+  TraceControl control;
+  control.timeLimit = 1e-9;
+  CHECK(traceMap(scene, 18, control).settings.symmetry == Symmetry::none);
+  const TracedProfile traced = traceProfile(scene, 90, 0.0, kPi, control);
+  CHECK(traced.settings.symmetry == Symmetry::none);
+  // All that leaves the crystals is in one of the bins, and what is cut off is nothing to speak of.
+  double energy = 0.0;
+  for (const ScatterProfile::Bin& bin : traced.profile.bins()) energy += bin.energy;
+  CHECK(std::abs(energy - 1.0) < 1e-3);
+}
+
+TEST_CASE("an exposure that is stopped holds the rays until then as if no more had been asked for") {
+  std::atomic<bool> stop = false;
+  TraceControl control;
+  control.stop = &stop;
+  control.onProgress = [&](std::uint64_t, double) { stop = true; };
+  const LoadedScene loaded = smallScene({"trace.rays=30000000"});
+  const Exposure stopped = expose(loaded, cloudOf(loaded.scene), control);
+  CHECK(stopped.report.interrupted);
+  const std::uint64_t rays = stopped.tally.info.rayCount();
+  CHECK(rays == stopped.report.rays);
+  CHECK(rays > 0);
+  CHECK(rays < 30'000'000);
+  const LoadedScene shorter = smallScene({"trace.rays=" + std::to_string(rays)});
+  CHECK(sameLight(stopped.tally, expose(shorter, cloudOf(shorter.scene)).tally));
+}
+
+TEST_CASE("a ray lived again has its faces, and its light adds up") {
+  const Scene scene = smallScene().scene;
+  const Cloud cloud = cloudOf(scene);
+  const LightPath path = replayRay(scene, cloud, 123);
+  CHECK(path.incident.index == 123);
+  REQUIRE(!path.encounters.empty());
+  double out = path.cutOff + path.lost;
+  for (const Exit& exit : path.exits) out += exit.energy;
+  CHECK(out == doctest::Approx(path.incident.weight).epsilon(1e-12));
+}
+
+TEST_CASE("nothing is printed from a scene to its files") {
+  const TemporaryDirectory folder;
+  const LoadedScene loaded = smallScene({"sun.visible=true"});
+  Printed printed;
+  const Exposure exposure = expose(loaded, cloudOf(loaded.scene));
+  ReconstructedSky sky = developSky(exposure, loaded, 2);
+  const SkyFiles files{folder / "sky.exr", folder / "sky.png", 1.5};
+  const WrittenSky written = writeSkyFiles(files, sky.image, exposure.tally.info, loaded);
+  traceMap(loaded.scene, 18);
+  traceProfile(loaded.scene, 90, 0.0, kPi);
+  CHECK(printed.text().empty());
+  CHECK(written.exposure == 1.5);
+  CHECK(written.badPixels == 0);
+  CHECK(folder.names().size() == 2);
+  CHECK(exposureText(1.5) == "+1.50 stops");
+}
