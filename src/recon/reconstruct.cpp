@@ -50,7 +50,7 @@ ReconstructedSky reconstruct(const Tally& tally, const ReconSettings& settings, 
                      [&](const GonzatoMarchandSettings& own) { return byMethod(tally, own, watch, gonzatoMarchand); },
                  },
                  settings);
-  if (isDark(tally)) sky.remarks.push_back("no light in the sky: the picture is black");
+  if (isDark(tally)) sky.remarks.emplace_back("no light in the sky: the picture is black");
   watch.at(1.0);
   return sky;
 }
