@@ -65,6 +65,21 @@ void checkRefused(const std::filesystem::path& path, const std::string& bytes, R
   CHECK(error.find('\n') == std::string::npos);
 }
 
+/// Lengths at which a file is cut, bytes: densely up to about where its header ends.
+struct Cuts {
+  std::size_t header, step, stepAfter;
+};
+
+/// A file cut anywhere is refused, and so is one that lacks its last byte.
+template <typename Reader>
+void checkCutsRefused(const std::filesystem::path& path, const std::string& whole, Reader reader, const Cuts& cuts) {
+  for (std::size_t length = 0; length < whole.size(); length += length < cuts.header ? cuts.step : cuts.stepAfter) {
+    CAPTURE(length);
+    checkRefused(path, whole.substr(0, length), reader);
+  }
+  checkRefused(path, whole.substr(0, whole.size() - 1), reader);
+}
+
 const auto kReadPicture = [](const std::filesystem::path& path) { readExr(path); };
 const auto kReadTally = [](const std::filesystem::path& path) { readTallyExr(path); };
 
@@ -128,19 +143,11 @@ TEST_CASE("a file cut off anywhere is refused with its path") {
   const TemporaryDirectory directory;
   writeBeautyExr(directory / "whole.exr", picture(31, 40), {{"parhelion:scene", "[sun]"}});
   const std::string whole = contents(directory / "whole.exr");
-  for (std::size_t length = 0; length < whole.size(); length += length < 1000 ? 3 : 197) {
-    CAPTURE(length);
-    checkRefused(directory / "cut.exr", whole.substr(0, length), kReadPicture);
-  }
-  checkRefused(directory / "cut.exr", whole.substr(0, whole.size() - 1), kReadPicture);
+  checkCutsRefused(directory / "cut.exr", whole, kReadPicture, {.header = 1000, .step = 3, .stepAfter = 197});
 
   writeTallyExr(directory / "tally.exr", tally(3));
   const std::string sums = contents(directory / "tally.exr");
-  for (std::size_t length = 0; length < sums.size(); length += length < 3000 ? 7 : 1013) {
-    CAPTURE(length);
-    checkRefused(directory / "cut.exr", sums.substr(0, length), kReadTally);
-  }
-  checkRefused(directory / "cut.exr", sums.substr(0, sums.size() - 1), kReadTally);
+  checkCutsRefused(directory / "cut.exr", sums, kReadTally, {.header = 3000, .step = 7, .stepAfter = 1013});
 }
 
 TEST_CASE("damaged files end in an error or a picture, never in a crash") {
