@@ -163,7 +163,7 @@ TEST_CASE("nothing is drawn of what lies behind a rectilinear camera") {
 TEST_CASE("nothing is drawn outside a fisheye's image circle but half the horizon's width") {
   const Overlay o = overlay(wholeSky(500), radians(20), kIndex, everything());
   double farthest = 0.0;
-  forEachDrawn(o.layer, [&](const Vec2& p, int) { farthest = std::max(farthest, glm::length(p - Vec2(250.0))); });
+  forEachDrawn(o.lines, [&](const Vec2& p, int) { farthest = std::max(farthest, glm::length(p - Vec2(250.0))); });
   CHECK(farthest > 249.0);
   CHECK(farthest < 253.0);
 }
@@ -171,8 +171,8 @@ TEST_CASE("nothing is drawn outside a fisheye's image circle but half the horizo
 TEST_CASE("the same overlay has the same bits twice") {
   const Overlay a = overlay(wholeSky(300), radians(20), kIndex, everything());
   const Overlay b = overlay(wholeSky(300), radians(20), kIndex, everything());
-  CHECK(a.layer.rgba == b.layer.rgba);
-  CHECK(drawnPixels(a.layer) > 10'000);
+  CHECK(a.lines.rgba == b.lines.rgba);
+  CHECK(drawnPixels(a.lines) > 10'000);
 }
 
 TEST_CASE("labels stay inside the picture's sky and off each other") {
@@ -239,7 +239,7 @@ TEST_CASE("letters grow with the picture and with the scale") {
 TEST_CASE("an overlay of a tiny picture is drawn without labels") {
   for (const Projection projection : {Projection::rectilinear, Projection::equirectangular}) {
     const Overlay o = overlay(cameraOf(projection, 0, 20, 100, 1, 1), radians(20), kIndex, everything());
-    CHECK(o.layer.rgba.size() == 4);
+    CHECK(o.lines.rgba.size() == 4);
     CHECK(o.labels.empty());
   }
 }
