@@ -8,6 +8,7 @@
 #include <tbb/global_control.h>
 
 #include "landscapes.h"
+#include "math/conventions.h"
 #include "painting.h"
 #include "photo/find_sky.h"
 
