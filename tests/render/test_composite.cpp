@@ -88,7 +88,7 @@ TEST_CASE("a composite writes all its files with the halo's scene and strength, 
   const CompositeFiles files{folder / "photo.jpg", folder / "out.png", folder / "layers", folder / "mask.png"};
   const AddedHaloReport done =
       writeComposite(files, photograph, {halo.lookup, mask, Vec3(0.5)}, photo, halo.attributes, 2);
-  CHECK(printed.text().empty());
+  CHECK(printed.text() == "");
   CHECK(done.touched > 0);
   const Photograph written = readPhotograph(folder / "out.png");
   CHECK(written.text.at(kSceneKey) == scene.whole.text);

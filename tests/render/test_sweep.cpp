@@ -50,7 +50,6 @@ TEST_CASE("a sweep that is stopped goes on to the same files, without a word pri
   CHECK_FALSE(first.complete);
   CHECK(first.rendered == 1);
   CHECK(halted.names() == std::vector<std::string>{"f_05.exr"});
-  CHECK_FALSE(writePreviews(planIn(halted), {{}, {}, &stop}));
 
   stop = false;
   control.onFrame = [&](std::size_t frame, double) { done.push_back(frame); };
@@ -63,10 +62,13 @@ TEST_CASE("a sweep that is stopped goes on to the same files, without a word pri
   CHECK(second.worstImbalance > 0.0);
   CHECK(second.worstImbalance < 1e-9);
 
+  stop = true;
+  CHECK_FALSE(writePreviews(planIn(halted), {{}, {}, &stop}));
+
   CHECK(renderFrames(planIn(whole), {}).rendered == 3);
   for (const TemporaryDirectory* folder : {&halted, &whole})
     CHECK(writePreviews(planIn(*folder), {{}, *folder / "sheet.png", nullptr}));
-  CHECK(printed.text().empty());
+  CHECK(printed.text() == "");
   CHECK(lacks(planIn(halted)) == std::vector<std::string>(3));
   CHECK(whole.names().size() == 7);
   for (const std::string& name : whole.names()) CHECK_MESSAGE(contents(halted / name) == contents(whole / name), name);
