@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # Fails when a document names, in backticks, a source file or folder that does not exist: seen from the top of the
-# repository or from src/. A star stands for any part of a name. Blocks of code are not looked at.
+# repository or from src/. A star, or NAME, stands for any part of a name. Blocks of code are not looked at.
 # Run as: cmake -DSOURCE_DIR=... -DDOCUMENTS=CONTRIBUTING.md,docs/model.md -P named_files.cmake
 
 cmake_minimum_required(VERSION 3.24)
@@ -24,6 +24,7 @@ foreach(document IN LISTS documents)
     endif()
     math(EXPR count "${count} + 1")
     string(REGEX REPLACE "/$" "" pattern "${name}")
+    string(REPLACE "NAME" "*" pattern "${pattern}")
     file(GLOB found ${SOURCE_DIR}/${pattern} ${SOURCE_DIR}/src/${pattern})
     if(NOT found)
       string(APPEND problems "${document}: there is no ${name}\n")
