@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "math/overloaded.h"
 #include "picture/exr.h"
 #include "picture/jpeg.h"
 #include "picture/photograph.h"
@@ -73,14 +74,15 @@ void writePngPhotograph(const std::filesystem::path& path, const Photograph& pho
                         const std::map<std::string, std::string>& text) {
   PngSamples png{photograph.width, photograph.height, photograph.channels, {}};
   Words words;
-  if (const auto* floats = std::get_if<Floats>(&photograph.samples)) {
-    words = wordsOf(*floats, photograph.channels);
-    png.samples = std::span<const std::uint16_t>(words);
-  } else if (const auto* deep = std::get_if<Words>(&photograph.samples)) {
-    png.samples = std::span<const std::uint16_t>(*deep);
-  } else {
-    png.samples = std::span<const std::uint8_t>(std::get<Bytes>(photograph.samples));
-  }
+  std::visit(Overloaded{
+                 [&](const Floats& floats) {
+                   words = wordsOf(floats, photograph.channels);
+                   png.samples = std::span<const std::uint16_t>(words);
+                 },
+                 [&](const Words& deep) { png.samples = std::span<const std::uint16_t>(deep); },
+                 [&](const Bytes& bytes) { png.samples = std::span<const std::uint8_t>(bytes); },
+             },
+             photograph.samples);
   writePng(path, png, text);
 }
 

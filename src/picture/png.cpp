@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "math/overloaded.h"
 #include "picture/atomic_file.h"
 
 namespace parhelion {
@@ -117,10 +118,15 @@ void writePng(const std::filesystem::path& path, const Preview& preview,
 void writePng(const std::filesystem::path& path, const PngSamples& picture,
               const std::map<std::string, std::string>& text) {
   const auto width = static_cast<png_uint_32>(picture.width), height = static_cast<png_uint_32>(picture.height);
-  const auto* deep = std::get_if<std::span<const std::uint16_t>>(&picture.samples);
-  const png_const_bytep samples = deep ? reinterpret_cast<png_const_bytep>(deep->data())
-                                       : std::get<std::span<const std::uint8_t>>(picture.samples).data();
-  writeRows(path, {width, height, picture.channels, deep ? 16 : 8, samples}, kHurried, text);
+  const auto write = [&](int bits, png_const_bytep samples) {
+    writeRows(path, {width, height, picture.channels, bits, samples}, kHurried, text);
+  };
+  std::visit(
+      Overloaded{
+          [&](std::span<const std::uint16_t> deep) { write(16, reinterpret_cast<png_const_bytep>(deep.data())); },
+          [&](std::span<const std::uint8_t> bytes) { write(8, bytes.data()); },
+      },
+      picture.samples);
 }
 
 }  // namespace parhelion

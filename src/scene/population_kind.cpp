@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <optional>
 #include <set>
 #include <string>
 
@@ -10,13 +11,12 @@ namespace parhelion {
 
 namespace {
 
-OrientationSettings orientationOf(const PopulationKeys& keys) {
-  if (const auto* axis = std::get_if<AxisOrientation>(&keys.orientation)) return *axis;
+OrientationSettings orientationNamed(OrientationName name, const PopulationKeys& keys) {
   const AngleDistribution tilt = keys.tilt.value_or(FixedValue{});
   const AngleDistribution free = AxisOrientation{}.roll;
   const AngleDistribution roll = keys.roll ? asTurn(*keys.roll) : free;
   const AngleDistribution horizontal = shifted(tilt, 0.5 * kPi);
-  switch (std::get<OrientationName>(keys.orientation)) {
+  switch (name) {
     case OrientationName::random:
       return RandomOrientation{};
     case OrientationName::plate:
@@ -29,6 +29,14 @@ OrientationSettings orientationOf(const PopulationKeys& keys) {
       return LowitzOrientation{horizontal, roll};
   }
   return RandomOrientation{};
+}
+
+OrientationSettings orientationOf(const PopulationKeys& keys) {
+  return std::visit(Overloaded{
+                        [](const AxisOrientation& axis) -> OrientationSettings { return axis; },
+                        [&](OrientationName name) { return orientationNamed(name, keys); },
+                    },
+                    keys.orientation);
 }
 
 /// "a", "b" or "c" of the shapes that have a key.
@@ -54,20 +62,31 @@ void checkShape(TableReader& reader, const PopulationKeys& keys) {
     reader.reject("aspect", "a crystal without a prism part and without pyramids is flat");
 }
 
+/// Why an orientation has neither tilt nor roll of its own, and what to do about it; nothing where it has.
+struct NoSpread {
+  std::string reason, hint;
+};
+std::optional<NoSpread> noSpreadOf(const OrientationWords& orientation) {
+  return std::visit(
+      Overloaded{
+          [](OrientationName name) -> std::optional<NoSpread> {
+            if (name != OrientationName::random) return std::nullopt;
+            return NoSpread{"means nothing with the orientation \"random\"",
+                            "choose \"plate\", \"column\", \"parry\" or \"lowitz\""};
+          },
+          [](const AxisOrientation&) -> std::optional<NoSpread> {
+            return NoSpread{"cannot be used with an orientation in full", "put it into the orientation's table"};
+          },
+      },
+      orientation);
+}
+
 void checkOrientation(TableReader& reader, const PopulationKeys& keys) {
   if (reader.rejected("orientation")) return;
-  const auto* name = std::get_if<OrientationName>(&keys.orientation);
-  if (name && *name != OrientationName::random) return;
-  for (const std::string_view key : {"tilt", "roll"}) {
-    if (!reader.has(key)) continue;
-    const std::string quoted = std::string("'").append(key) + "'";
-    if (name) {
-      reader.reject(key, quoted + " means nothing with the orientation \"random\"",
-                    "choose \"plate\", \"column\", \"parry\" or \"lowitz\"");
-    } else {
-      reader.reject(key, quoted + " cannot be used with an orientation in full", "put it into the orientation's table");
-    }
-  }
+  const std::optional<NoSpread> none = noSpreadOf(keys.orientation);
+  if (!none) return;
+  for (const std::string_view key : {"tilt", "roll"})
+    if (reader.has(key)) reader.reject(key, std::string("'").append(key) + "' " + none->reason, none->hint);
 }
 
 PopulationSettings readPopulation(TableReader& reader, std::size_t index) {
