@@ -44,7 +44,7 @@ void deposit(Sharing sharing, std::span<const PixelDeposit> deposits, int passes
 
 std::vector<SkyDeposit> skyDeposits(const Cloud& cloud, int count) {
   const TraceSettings settings;
-  const Engines engines = makeEngines(cloud, settings.engine);
+  const Intersectors engines = makeIntersectors(cloud, settings.engine);
   std::vector<SkyDeposit> all;
   all.reserve(static_cast<std::size_t>(count));
   RaySource source(cloud, settings, 256);

@@ -8,7 +8,7 @@
 
 #include "rays_queries.h"
 #include "trace/embree_api.h"
-#include "trace/intersector.h"
+#include "trace/face_hit.h"
 
 namespace parhelion::bench {
 

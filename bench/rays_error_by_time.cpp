@@ -10,10 +10,10 @@
 #include "rays_plan.h"
 #include "recon/compare.h"
 #include "recon/reconstruct.h"
-#include "render/exposure.h"
+#include "render/traced_sky.h"
 #include "sky/radiance.h"
 #include "stopwatch.h"
-#include "trace/film.h"
+#include "trace/expose.h"
 #include "traced_tally.h"
 
 namespace parhelion::bench {
@@ -59,7 +59,7 @@ Point measure(const Truth& truth, const Configuration& configuration, std::uint6
   settings.rays = rays;
   Tally tally = emptyTally(truth.loaded, truth.cloud);
   const Stopwatch watch;
-  exposeTally(tally, truth.cloud, settings, 0, {.threads = 1, .onProgress = {}});
+  traceTally(tally, truth.cloud, settings, 0, {.threads = 1, .onProgress = {}});
   Point point{rays, watch.read().cpuSeconds, {}, {}};
   point.plain = compare(plainRadiance(coarser(tally, kCoarser)), truth.coarse);
   point.adaptive = compare(reconstruct(tally, AdaptiveSettings{}).image, truth.fine);

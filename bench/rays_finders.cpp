@@ -47,7 +47,7 @@ std::span<const FinderKind> finderKinds() {
 
 Finder makeFinder(const FinderKind& kind, const Cloud& cloud) {
   if (!kind.engine) return FloatPlanes(onlyCrystal(cloud));
-  return std::move(makeEngines(cloud, *kind.engine).front());
+  return std::move(makeIntersectors(cloud, *kind.engine).front());
 }
 
 int exactNextFace(const Crystal& crystal, const Vec3& point, const Vec3& lightDir, int leftFace) {

@@ -6,7 +6,7 @@
 #include "rays_configurations.h"
 #include "rays_plan.h"
 #include "stopwatch.h"
-#include "trace/film.h"
+#include "trace/expose.h"
 #include "trace/trace.h"
 
 namespace parhelion::bench {
@@ -65,7 +65,7 @@ void measureQuality(const RaysPlan& plan) {
       settings.rays = count;
       settings.symmetry = symmetry;
       const Stopwatch watch;
-      exposeTally(tally, cloud, settings, 0, {.threads = 1, .onProgress = {}});
+      traceTally(tally, cloud, settings, 0, {.threads = 1, .onProgress = {}});
       return watch.read().cpuSeconds;
     };
     // What a run costs however few its rays.

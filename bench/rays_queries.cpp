@@ -18,7 +18,7 @@ Crystal onlyCrystal(const Cloud& cloud) { return RaySource(cloud, {}, 1).ray(0).
 void forEachInteriorRay(const Cloud& cloud, std::uint64_t first, std::uint64_t last,
                         const std::function<void(const InteriorRay&)>& look) {
   const TraceSettings settings{.engine = Engine::planes};
-  const Engines engines = makeEngines(cloud, settings.engine);
+  const Intersectors engines = makeIntersectors(cloud, settings.engine);
   std::map<int, int> indexOf;  // by crystallographic number
   const auto& faces = cloud.populations().front().mesh().faces();
   for (int i = 0; i < static_cast<int>(faces.size()); ++i) indexOf[faces[i].number] = i;

@@ -7,9 +7,9 @@
 #include "csv.h"
 #include "halos/closed_forms.h"
 #include "halos/edge_fit.h"
+#include "math/names.h"
 #include "rays_configurations.h"
 #include "rays_plan.h"
-#include "scene/names.h"
 #include "trace/scatter_profile.h"
 
 namespace parhelion::bench {

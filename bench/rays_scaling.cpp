@@ -4,13 +4,13 @@
 #include <tbb/task_arena.h>
 
 #include "csv.h"
+#include "math/names.h"
 #include "rays_configurations.h"
 #include "rays_deposits.h"
 #include "rays_memory.h"
 #include "rays_plan.h"
 #include "rays_queries.h"
 #include "rays_render.h"
-#include "scene/names.h"
 
 namespace parhelion::bench {
 namespace {

@@ -5,8 +5,8 @@
 #include <chrono>
 #include <cstdint>
 
+#include "trace/film.h"
 #include "trace/lane_steps.h"
-#include "trace/path_tally.h"
 
 namespace parhelion::bench {
 
@@ -55,16 +55,16 @@ extern StageWatch stageWatch;
 LaneSteps timedSteps(const LaneSteps& real);
 
 /// A tally on the clock of stageWatch.
-class TimedTally : public PathTally {
+class TimedTally : public Film {
  public:
-  explicit TimedTally(PathTally& real) : real_(real) {}
+  explicit TimedTally(Film& real) : real_(real) {}
 
   int add(const TracedRays& traced) override;
-  std::unique_ptr<PathTally> forThread() override { return std::make_unique<TimedTally>(real_); }
-  void merge(PathTally&) override {}
+  std::unique_ptr<Film> forThread() override { return std::make_unique<TimedTally>(real_); }
+  void merge(Film&) override {}
 
  private:
-  PathTally& real_;
+  Film& real_;
 };
 
 }  // namespace parhelion::bench

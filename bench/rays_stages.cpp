@@ -4,13 +4,13 @@
 #include <span>
 
 #include "csv.h"
+#include "math/names.h"
 #include "rays_configurations.h"
 #include "rays_embree_scene.h"
 #include "rays_plan.h"
 #include "rays_queries.h"
 #include "rays_render.h"
 #include "rays_stage_clock.h"
-#include "scene/names.h"
 #include "trace/sky_film.h"
 
 namespace parhelion::bench {
@@ -64,7 +64,7 @@ CallTimer* callTimer = nullptr;  // of the wave under way
 class BareLoop {
  public:
   BareLoop(const Cloud& cloud, Engine engine, const LaneSteps& steps, RTCScene scene)
-      : engines_(makeEngines(cloud, engine)), steps_(steps), scene_(scene), pools_(kLoopPools) {
+      : engines_(makeIntersectors(cloud, engine)), steps_(steps), scene_(scene), pools_(kLoopPools) {
     const std::vector<InteriorRay> rays = interiorRays(cloud, kLoopPools * RayPool::kRoom);
     for (int p = 0; p < kLoopPools; ++p) {
       fillPool(pools_[p], std::span(rays).subspan(p * RayPool::kRoom, RayPool::kRoom), onlyCrystal(cloud).stretch);
@@ -100,7 +100,7 @@ class BareLoop {
     return kRepeats * queries_.size();
   }
 
-  Engines engines_;
+  Intersectors engines_;
   const LaneSteps& steps_;
   RTCScene scene_;
   std::vector<RayPool> pools_;
@@ -113,13 +113,13 @@ class BareLoop {
 /// Wave after wave of one engine and one set of registers: as they are, on the stage clock, with Embree's calls timed.
 class Runner {
  public:
-  Runner(const Cloud& cloud, Engine engine, Simd simd, PathTally& film)
+  Runner(const Cloud& cloud, Engine engine, Simd simd, Film& film)
       : engine_(engine),
         simd_(simd),
         real_(laneSteps(simd)),
         timed_(timedSteps(real_)),
         bundles_(Wave::bundles(cloud)),
-        engines_(makeEngines(cloud, engine)),
+        engines_(makeIntersectors(cloud, engine)),
         plainWave_(cloud, engines_, tracing(engine), real_),
         timedWave_(cloud, engines_, tracing(engine), timed_),
         scene_(*onlyCrystal(cloud).mesh, {}),
@@ -148,7 +148,7 @@ class Runner {
   double callsPerRay() const { return perRay(calls_.nanoseconds()); }
 
  private:
-  void trace(Wave& wave, PathTally& tally) {
+  void trace(Wave& wave, Film& tally) {
     for (int i = 0; i < kWaves; ++i) {
       const std::uint64_t first = static_cast<std::uint64_t>(rounds_ * kWaves + i) * bundles_;
       wave.trace(first, bundles_, 1, tally);
@@ -168,11 +168,11 @@ class Runner {
   const LaneSteps& real_;
   LaneSteps timed_;
   int bundles_;
-  Engines engines_;
+  Intersectors engines_;
   Wave plainWave_, timedWave_;
   EmbreeScene scene_;
   CallTimer calls_;
-  PathTally& film_;
+  Film& film_;
   TimedTally timedFilm_;
   StageClock clock_, spare_;
   double seconds_ = 0.0;

@@ -2,10 +2,10 @@
 #include <cstdio>
 
 #include "csv.h"
+#include "math/names.h"
 #include "recon_plan.h"
 #include "recon_scenes.h"
 #include "recon_summary.h"
-#include "scene/names.h"
 
 namespace parhelion::bench {
 namespace {

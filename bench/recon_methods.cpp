@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "scene/names.h"
+#include "math/names.h"
 
 namespace parhelion::bench {
 namespace {

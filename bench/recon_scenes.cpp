@@ -53,7 +53,7 @@ Tally referenceTally(const Plan& plan, const BenchScene& scene) {
 
 double tracingSpeed(const Plan& plan, const BenchScene& scene) {
   const std::uint64_t rays = plan.quick ? 300'000 : 3'000'000;
-  return static_cast<double>(rays) / exposePlainly(scene.load(plan, rays, 1)).report.seconds;
+  return static_cast<double>(rays) / tracePlainly(scene.load(plan, rays, 1)).report.seconds;
 }
 
 }  // namespace parhelion::bench

@@ -7,9 +7,9 @@
 
 namespace parhelion::bench {
 
-Exposure exposePlainly(LoadedScene loaded) {
+TracedSky tracePlainly(LoadedScene loaded) {
   loaded.scene.trace.symmetry = Symmetry::none;
-  return expose(loaded, cloudOf(loaded.scene));
+  return traceSky(loaded, cloudOf(loaded.scene));
 }
 
 Tally keptTally(const std::filesystem::path& path, const LoadedScene& loaded) {
@@ -19,7 +19,7 @@ Tally keptTally(const std::filesystem::path& path, const LoadedScene& loaded) {
   }
   std::fprintf(stderr, "tracing %llu rays: %s\n", static_cast<unsigned long long>(loaded.scene.trace.rays),
                path.stem().c_str());
-  Tally tally = exposePlainly(loaded).tally;
+  Tally tally = tracePlainly(loaded).tally;
   writeTallyExr(path, tally);
   return tally;
 }

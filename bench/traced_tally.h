@@ -3,12 +3,12 @@
 
 #include <filesystem>
 
-#include "render/exposure.h"
+#include "render/traced_sky.h"
 
 namespace parhelion::bench {
 
 /// Traces a scene as its own settings say, but every ray for itself, whatever the sky's symmetry.
-Exposure exposePlainly(LoadedScene loaded);
+TracedSky tracePlainly(LoadedScene loaded);
 
 /// The tally of a scene from a file if it is there and of the same scene, else traced and kept there.
 Tally keptTally(const std::filesystem::path& path, const LoadedScene& loaded);

@@ -3,9 +3,7 @@
 
 #include "cli/commands.h"
 #include "cli/run_options.h"
-#include "scene/describe.h"
 #include "scene/parse_scene.h"
-#include "scene/schema.h"
 
 namespace parhelion::cli {
 
@@ -39,11 +37,6 @@ void addCheck(CLI::App& app, int& exit) {
   command->add_option("scene", options->scenes, "Scene files")->required()->type_name("SCENE");
   addOverrides(*command, options->overrides);
   command->callback([options, &exit] { exit = runCheck(*options); });
-}
-
-void addSchema(CLI::App& app, int&) {
-  CLI::App* command = app.add_subcommand("schema", "Print the JSON Schema of scene files, for editors");
-  command->callback([] { std::fputs(sceneSchema().c_str(), stdout); });
 }
 
 }  // namespace parhelion::cli

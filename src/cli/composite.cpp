@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "cli/commands.h"
-#include "cli/halo_source.h"
+#include "cli/halo_options.h"
 #include "cli/photo_options.h"
 #include "cli/text_output.h"
 #include "parallel/threads.h"
@@ -19,7 +19,7 @@ namespace {
 
 struct CompositeOptions {
   std::string photo, output, mask, maskOutput, layers, white = "sun";
-  HaloSource halo;
+  HaloOptions halo;
   PhotoOptions camera;
   std::optional<double> strength, contrast;
   bool allSky = false;
@@ -67,7 +67,7 @@ void requireAll(const CompositeOptions& options) {
   check();
   if (options.layers.empty()) return;
   std::filesystem::create_directory(options.layers);
-  for (const std::filesystem::path& layer : layerFiles(options.layers)) outputs.push_back(layer.string());
+  for (const std::filesystem::path& layer : editingFiles(options.layers)) outputs.push_back(layer.string());
   check();
 }
 

@@ -59,8 +59,9 @@ void addMap(CLI::App& app, int& exit) {
   command->add_option("-o,--output", options->output, "CSV file, or EXR by its name; - for CSV on stdout")
       ->type_name("FILE");
   command->callback([options, &exit] {
+    constexpr double kRounding = 1e-9;  // relative; steps such as 0.1 are not exact in binary
     const double rows = 90.0 / options->step;
-    if (std::abs(rows - std::round(rows)) > 1e-9 * rows)
+    if (std::abs(rows - std::round(rows)) > kRounding * rows)
       throw CLI::ValidationError("--step must divide 90 degrees evenly");
     exit = runMap(*options, 2 * static_cast<int>(std::round(rows)));
   });

@@ -5,8 +5,8 @@
 
 #include "cli/number_list.h"
 #include "cli/run_options.h"
+#include "math/names.h"
 #include "render/scene_attributes.h"
-#include "scene/names.h"
 #include "scene/parse_scene.h"
 
 namespace parhelion::cli {

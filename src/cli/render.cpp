@@ -23,10 +23,10 @@ int runRender(const RenderOptions& options) {
   // Also while the picture is made, so that a late Ctrl-C does not lose what was traced.
   const StopSignal stop;
   TraceWatch watch(options.run, loaded.scene.trace.rays, stop);
-  const Exposure exposure = expose(loaded, cloudOf(loaded.scene), watch.control());
-  const int exit = watch.report(exposure);
-  ReconstructedSky sky = developSky(exposure, loaded, options.run.threads);
-  writePicture(std::move(sky), exposure.tally.info, loaded, options.picture, scene, options.run.quiet);
+  const TracedSky traced = traceSky(loaded, cloudOf(loaded.scene), watch.control());
+  const int exit = watch.report(traced);
+  ReconstructedSky sky = developSky(traced, loaded, options.run.threads);
+  writePicture(std::move(sky), traced.tally.info, loaded, options.picture, scene, options.run.quiet);
   return exit;
 }
 

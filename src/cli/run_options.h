@@ -9,7 +9,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "scene/names.h"
+#include "math/names.h"
 #include "scene/parse_scene.h"
 
 namespace parhelion::cli {

@@ -11,7 +11,7 @@
 
 #include "cli/progress.h"
 #include "cli/text_output.h"
-#include "scene/names.h"
+#include "math/names.h"
 
 namespace parhelion::cli {
 

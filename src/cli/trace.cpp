@@ -16,14 +16,14 @@ struct TraceOptions {
   std::string output;
 };
 
-int runTraceCommand(const TraceOptions& options) {
+int runTrace(const TraceOptions& options) {
   const LoadedScene loaded = options.run.load();
   requireOutputs(options.run.scene, {options.output, options.run.stats});
   const StopSignal stop;
   TraceWatch watch(options.run, loaded.scene.trace.rays, stop);
-  const Exposure exposure = expose(loaded, cloudOf(loaded.scene), watch.control());
-  const int exit = watch.report(exposure);
-  writeTallyExr(options.output, exposure.tally);
+  const TracedSky traced = traceSky(loaded, cloudOf(loaded.scene), watch.control());
+  const int exit = watch.report(traced);
+  writeTallyExr(options.output, traced.tally);
   if (!options.run.quiet) std::fprintf(stderr, "wrote %s\n", options.output.c_str());
   return exit;
 }
@@ -36,7 +36,7 @@ void addTrace(CLI::App& app, int& exit) {
       app.add_subcommand("trace", "Trace a scene into a tally EXR: exact sums a pixel, not yet a picture");
   options->run.addTo(*command, true);
   command->add_option("-o,--output", options->output, "The tally")->type_name("FILE")->required();
-  command->callback([options, &exit] { exit = runTraceCommand(*options); });
+  command->callback([options, &exit] { exit = runTrace(*options); });
 }
 
 }  // namespace parhelion::cli

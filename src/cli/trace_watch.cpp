@@ -5,7 +5,7 @@
 
 #include "cli/commands.h"
 #include "cli/stats.h"
-#include "scene/names.h"
+#include "math/names.h"
 
 namespace parhelion::cli {
 

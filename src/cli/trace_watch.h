@@ -4,7 +4,7 @@
 #include "cli/progress.h"
 #include "cli/run_options.h"
 #include "cli/stop_signal.h"
-#include "render/exposure.h"
+#include "render/traced_sky.h"
 
 namespace parhelion::cli {
 

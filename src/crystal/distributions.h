@@ -60,7 +60,11 @@ struct Laplace {
 
 /// Scene files offer them in this order; a number alone where a mean is left out is the width of the first with one.
 using AngleDistribution = std::variant<FixedValue, Normal, UniformRange, PolarNormal, Arcsine, Laplace>;
+/// Of aspect ratios. Those that are modelled lie between the limits below; wider distributions are cut off there.
 using AspectDistribution = std::variant<FixedValue, Normal, UniformRange>;
+
+inline constexpr double kThinnestAspect = 1e-4;
+inline constexpr double kLongestAspect = 1e4;
 
 /// Whether a Normal is a density per unit of the value, or per solid angle about a pole at 0 and pi.
 enum class DensityPer { unit, solidAngle };
@@ -72,11 +76,12 @@ struct Bell {
   double mean, reach;
 };
 
-/// How values are drawn: by a table, or by an inverse in closed form beside its density.
+/// An inverse in closed form, beside its density.
 struct ClosedForm {
   AngleQuantile inverse;
   std::function<double(double)> density;  // per unit of the value; infinite where a fixed value sits
 };
+/// How values are drawn.
 using Sampling = std::variant<ClosedForm, Bell>;
 
 Sampling samplingOf(const AngleDistribution& distribution, DensityPer per);

@@ -18,6 +18,7 @@ Population::Population(const PopulationSettings& settings)
   mesh_ = std::visit([](const auto& shape) { return std::make_shared<CrystalMesh>(meshOf(shape)); }, settings.shape);
   const auto stretch = std::visit([](const auto& shape) { return stretchOf(shape); }, settings.shape);
   if (!stretch) return;
+  if (!mesh_->isPrismatic()) throw std::invalid_argument("only prisms can be stretched");
   aspect_.emplace(*stretch, DensityPer::unit, kThinnestAspect, kLongestAspect);
   if (!(aspect_->sample(0.0) >= kThinnestAspect && aspect_->sample(1.0) <= kLongestAspect))
     throw std::invalid_argument("aspect ratios must lie from 1e-4 to 1e4");

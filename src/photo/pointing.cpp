@@ -24,7 +24,7 @@ namespace {
 constexpr double kSamePlace = 0.01;
 
 // rad. A fifth of an arc second: nobody tells two such directions apart in a photograph.
-constexpr double kSameDirection = 1e-6;
+constexpr double kSameSighting = 1e-6;
 
 // rad of the camera per rad on the sky. A pixel is of the order of 1 mrad; beyond this a clue that is off by one says
 // nothing of where the camera pointed.
@@ -100,7 +100,7 @@ void refuseCoincidences(std::span<const PointingClue> clues) {
       if (sameKind && glm::distance(a.pixel, b.pixel) < kSamePlace)
         refuse(clueName(k) + " and " + clueName(i) + " are at the same place in the picture");
       if (a.azimuth && a.elevation && b.azimuth && b.elevation &&
-          angleBetween(direction(a), direction(b)) < kSameDirection)
+          angleBetween(direction(a), direction(b)) < kSameSighting)
         refuse(clueName(k) + " and " + clueName(i) + " are the same direction in the sky");
     }
   }

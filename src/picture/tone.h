@@ -36,7 +36,7 @@ struct Preview {
   std::size_t badPixels = 0;  // not finite in the image, black here
 };
 
-/// Exposure, tone curve and transfer function for each pixel of the channels R, G, B. Throws std::invalid_argument if
+/// TracedSky, tone curve and transfer function for each pixel of the channels R, G, B. Throws std::invalid_argument if
 /// one is missing.
 Preview developPreview(const Image& image, const ToneSettings& settings);
 

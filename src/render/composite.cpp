@@ -31,17 +31,17 @@ Text textOf(const ExrAttributes& attributes, const Vec3& perRadiance) {
   return text;
 }
 
-void writeLayers(const CompositeFiles& files, const Photograph& photograph, const AddedHalo& added,
-                 const PhotoCamera& camera, const Text& text) {
-  const std::vector<std::filesystem::path> layers = layerFiles(files.layers);
-  writePhotograph(layers[0], lightForEditing(added), text);
-  writePhotograph(layers[1], sumForEditing(photograph, added), text);
-  writePhotograph(layers[2], dodgeForEditing(photograph, added), text);
-  writeSkyMask(layers[3], added.mask, text);
+void writeEditingPictures(const CompositeFiles& files, const Photograph& photograph, const AddedHalo& added,
+                          const PhotoCamera& camera, const Text& text) {
+  const std::vector<std::filesystem::path> pictures = editingFiles(files.editingFolder);
+  writePhotograph(pictures[0], lightForEditing(added), text);
+  writePhotograph(pictures[1], sumForEditing(photograph, added), text);
+  writePhotograph(pictures[2], dodgeForEditing(photograph, added), text);
+  writeSkyMask(pictures[3], added.mask, text);
   OverlaySettings grid;
   grid.halos = true;
   constexpr double kGreen = 550.0;  // nm
-  writeLineArt(layers[4], drawOverlay(camera.camera, camera.sunElevation, iceIndex(kGreen), grid), text);
+  writeLineArt(pictures[4], drawOverlay(camera.camera, camera.sunElevation, iceIndex(kGreen), grid), text);
 }
 
 AddedHaloReport writePicture(const CompositeFiles& files, Photograph& photograph, const AddedHalo& added,
@@ -81,11 +81,11 @@ SkyMask readSkyMaskOf(const Photograph& photograph, const std::filesystem::path&
   return mask;
 }
 
-std::vector<std::filesystem::path> layerFiles(const std::filesystem::path& layers) {
+std::vector<std::filesystem::path> editingFiles(const std::filesystem::path& editingFolder) {
   std::vector<std::filesystem::path> files;
-  if (layers.empty()) return files;
+  if (editingFolder.empty()) return files;
   for (const char* name : {"halo.exr", "sum.exr", "halo-dodge.png", "mask.png", "grid.png"})
-    files.push_back(layers / name);
+    files.push_back(editingFolder / name);
   return files;
 }
 
@@ -93,7 +93,7 @@ AddedHaloReport writeComposite(const CompositeFiles& files, Photograph photograp
                                const PhotoCamera& camera, const ExrAttributes& attributes, int threads) {
   const Text text = textOf(attributes, added.perRadiance);
   return withThreads(threads, [&] {
-    if (!files.layers.empty()) writeLayers(files, photograph, added, camera, text);
+    if (!files.editingFolder.empty()) writeEditingPictures(files, photograph, added, camera, text);
     const AddedHaloReport done = writePicture(files, photograph, added, camera, text);
     if (!files.foundMask.empty()) writeFoundMask(files.foundMask, added.mask, text.at("software"));
     return done;

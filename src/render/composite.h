@@ -21,14 +21,14 @@ SkyMask readSkyMaskOf(const Photograph& photograph, const std::filesystem::path&
 
 /// What a composite is made of and becomes.
 struct CompositeFiles {
-  std::filesystem::path photo;      // the file of the photograph
-  std::filesystem::path output;     // .png, .jpg, .jpeg or .exr
-  std::filesystem::path layers;     // folder of pictures for editing; empty: none
-  std::filesystem::path foundMask;  // where to write the mask; empty: not at all
+  std::filesystem::path photo;          // the file of the photograph
+  std::filesystem::path output;         // .png, .jpg, .jpeg or .exr
+  std::filesystem::path editingFolder;  // of pictures for editing; empty: none
+  std::filesystem::path foundMask;      // where to write the mask; empty: not at all
 };
 
-/// The pictures for editing, in the folder `layers`; none if that is empty.
-std::vector<std::filesystem::path> layerFiles(const std::filesystem::path& layers);
+/// The pictures for editing, in the folder `editingFolder`; none if that is empty.
+std::vector<std::filesystem::path> editingFiles(const std::filesystem::path& editingFolder);
 
 /// Adds the halo to the photograph and writes all files, the composite with `attributes` of the halo (PhotoHalo) and
 /// its strength. A JPEG out of a JPEG keeps what the halo does not touch; an EXR holds light beyond white. `threads` 0:

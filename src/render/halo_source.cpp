@@ -60,10 +60,10 @@ HaloScene haloSceneFor(const PhotoCamera& camera, std::optional<int> coarseness,
   return {std::move(whole), load(overrides), coarse};
 }
 
-PhotoHalo haloOf(const Exposure& exposure, const HaloScene& scene, const PhotoCamera& camera, int threads) {
-  const ReconstructedSky sky = developSky(exposure, scene.coarse, threads);
+PhotoHalo haloOf(const TracedSky& traced, const HaloScene& scene, const PhotoCamera& camera, int threads) {
+  const ReconstructedSky sky = developSky(traced, scene.coarse, threads);
   return {HaloLookup(sky.image, scene.camera, camera.camera),
-          sceneAttributes(scene.whole, exposure.tally.info.rayCount())};
+          sceneAttributes(scene.whole, traced.tally.info.rayCount())};
 }
 
 double sunElevationIn(const std::filesystem::path& sky) {

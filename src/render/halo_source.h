@@ -9,8 +9,8 @@
 
 #include "photo/halo_lookup.h"
 #include "photo/photo_camera.h"
-#include "render/exposure.h"
 #include "render/scene_attributes.h"
+#include "render/traced_sky.h"
 
 namespace parhelion {
 
@@ -36,8 +36,8 @@ struct HaloScene {
 /// `coarseness` is the side of the halo's pixels in the photograph's; none: as coarse as the sun's disc allows.
 HaloScene haloSceneFor(const PhotoCamera& camera, std::optional<int> coarseness, const SceneLoader& load);
 
-/// The halo from an exposure of `scene.coarse`. `threads` 0: one a processor.
-PhotoHalo haloOf(const Exposure& exposure, const HaloScene& scene, const PhotoCamera& camera, int threads);
+/// The halo from `scene.coarse`. `threads` 0: one a processor.
+PhotoHalo haloOf(const TracedSky& traced, const HaloScene& scene, const PhotoCamera& camera, int threads);
 
 /// The sun's elevation in the picture of a sky, rad. Throws std::runtime_error if it does not tell.
 double sunElevationIn(const std::filesystem::path& sky);

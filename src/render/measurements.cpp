@@ -46,7 +46,7 @@ LightPath replayRay(const Scene& scene, const Cloud& cloud, std::uint64_t ray) {
   LightPath path;
   path.recordEncounters = true;
   RaySource source(cloud, scene.trace, 1);
-  followRay(source, makeEngines(cloud, scene.trace.engine), scene.trace, ray, path);
+  followRay(source, makeIntersectors(cloud, scene.trace.engine), scene.trace, ray, path);
   return path;
 }
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "picture/image.h"
-#include "render/exposure.h"
+#include "render/traced_sky.h"
 #include "trace/light_path.h"
 #include "trace/scatter_profile.h"
 #include "trace/sky_map.h"

@@ -13,8 +13,8 @@
 
 namespace parhelion {
 
-ReconstructedSky developSky(const Exposure& exposure, const LoadedScene& loaded, int threads) {
-  return withThreads(threads, [&] { return reconstruct(exposure.tally, loaded.scene.recon); });
+ReconstructedSky developSky(const TracedSky& traced, const LoadedScene& loaded, int threads) {
+  return withThreads(threads, [&] { return reconstruct(traced.tally, loaded.scene.recon); });
 }
 
 void writeSky(const std::filesystem::path& exr, Image& image, const TallyInfo& info, const LoadedScene& loaded) {

@@ -9,12 +9,12 @@
 #include "picture/image.h"
 #include "picture/tone.h"
 #include "recon/reconstruct.h"
-#include "render/exposure.h"
+#include "render/traced_sky.h"
 
 namespace parhelion {
 
-/// The sky of an exposure, reconstructed as its scene says. `threads` 0: one a processor.
-ReconstructedSky developSky(const Exposure& exposure, const LoadedScene& loaded, int threads);
+/// A traced sky, reconstructed as its scene says. `threads` 0: one a processor.
+ReconstructedSky developSky(const TracedSky& traced, const LoadedScene& loaded, int threads);
 
 /// Draws the sun into the image of a tally with that info if the scene makes it visible, and writes it as linear EXR
 /// with the scene inside. Throws std::runtime_error.

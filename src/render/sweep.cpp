@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "picture/exr.h"
-#include "render/exposure.h"
 #include "render/sky_files.h"
+#include "render/traced_sky.h"
 #include "view/contact_sheet.h"
 
 namespace parhelion {
@@ -21,11 +21,11 @@ double secondsSince(Clock::time_point start) { return std::chrono::duration<doub
 
 /// Renders a frame as render does. None, and nothing is written, if it was stopped before all its rays were traced.
 std::optional<TraceReport> renderFrame(const SweepFrame& frame, const TraceControl& control) {
-  const Exposure exposure = expose(frame.loaded, cloudOf(frame.loaded.scene), control);
-  if (exposure.report.interrupted) return std::nullopt;
-  ReconstructedSky sky = developSky(exposure, frame.loaded, control.threads);
-  writeSky(frame.exr, sky.image, exposure.tally.info, frame.loaded);
-  return exposure.report;
+  const TracedSky traced = traceSky(frame.loaded, cloudOf(frame.loaded.scene), control);
+  if (traced.report.interrupted) return std::nullopt;
+  ReconstructedSky sky = developSky(traced, frame.loaded, control.threads);
+  writeSky(frame.exr, sky.image, traced.tally.info, frame.loaded);
+  return traced.report;
 }
 
 /// Median of the exposures that the frames would choose for themselves, of those that have light: a few frames that

@@ -2,8 +2,7 @@
 #include "scene/describe.h"
 
 #include "math/overloaded.h"
-#include "scene/names.h"
-#include "scene/range.h"
+#include "math/range.h"
 #include "scene/scene_keys.h"
 #include "sky/camera_keys.h"
 

@@ -52,8 +52,8 @@ struct Syntax {
 };
 
 constexpr Range kSpreadDegrees{0.0, 180.0};
-constexpr Range kAspectRange{1e-4, 1e4};
-constexpr Range kFixedAspectRange{0.0, 1e4};  // of shapes that are more than a prism
+constexpr Range kAspectRange{kThinnestAspect, kLongestAspect};
+constexpr Range kFixedAspectRange{0.0, kLongestAspect};  // of shapes that are more than a prism
 
 Syntax<AngleDistribution> syntaxOf(AngleValue::Of of) {
   const Range location = of == AngleValue::Of::zenith ? Range{0.0, 180.0} : Range{-360.0, 360.0};

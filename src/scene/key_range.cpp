@@ -7,7 +7,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "scene/range.h"
+#include "math/range.h"
 
 namespace parhelion {
 

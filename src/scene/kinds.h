@@ -14,7 +14,8 @@
 #include <string>
 #include <utility>
 
-#include "scene/names.h"
+#include "math/names.h"
+#include "scene/scene.h"
 #include "scene/suggest.h"
 #include "scene/value.h"
 

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <utility>
 
-#include "scene/range.h"
+#include "scene/number_schema.h"
 
 namespace parhelion {
 

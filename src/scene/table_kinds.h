@@ -7,12 +7,29 @@
 #include <variant>
 #include <vector>
 
-#include "scene/names.h"
-#include "scene/range.h"
 #include "scene/schema_writer.h"
 #include "scene/table_reader.h"
 
 namespace parhelion {
+
+/// The words for orientations that need no more than a tilt and a roll.
+enum class OrientationName { random, plate, column, parry, lowitz };
+
+constexpr std::string_view nameOf(OrientationName value) {
+  switch (value) {
+    case OrientationName::random:
+      return "random";
+    case OrientationName::plate:
+      return "plate";
+    case OrientationName::column:
+      return "column";
+    case OrientationName::parry:
+      return "parry";
+    case OrientationName::lowitz:
+      return "lowitz";
+  }
+  return {};
+}
 
 /// The defaults of a camera with this projection.
 CameraSettings defaultCamera(Projection projection);

@@ -7,8 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include "math/range.h"
 #include "scene/complaints.h"
-#include "scene/range.h"
 
 namespace parhelion {
 

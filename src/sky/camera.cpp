@@ -25,7 +25,7 @@ Range widest(Projection projection) {
 
 bool withinLimit(Projection projection, double fullAngle) {
   const Range limit = widest(projection);
-  return limit.hiOpen ? fullAngle < radians(limit.hi) : fullAngle <= radians(limit.hi) * projections::kAngleSlack;
+  return limit.hiOpen ? fullAngle < radians(limit.hi) : fullAngle <= radians(limit.hi) * projections::kFullAngleSlack;
 }
 
 bool isAzimuthal(Projection projection) {
@@ -38,7 +38,7 @@ void require(bool condition, const char* message) {
 
 CameraSettings validated(const CameraSettings& s) {
   require(std::isfinite(s.azimuth) && std::isfinite(s.roll), "azimuth and roll must be finite");
-  require(std::abs(s.elevation) <= 0.5 * kPi * projections::kAngleSlack,
+  require(std::abs(s.elevation) <= 0.5 * kPi * projections::kFullAngleSlack,
           "elevation must lie within 90 degrees of the horizon");
   require(s.width >= 1 && s.height >= 1, "a picture has at least one pixel");
   require(s.width <= kMaxImageSide && s.height <= kMaxImageSide, "a picture has at most 32768 pixels a side");

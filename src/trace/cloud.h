@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
 
 #include "crystal/population.h"
+#include "math/names.h"
 #include "optics/ice.h"
 #include "optics/spectrum.h"
 #include "optics/sun.h"
@@ -60,7 +62,7 @@ class Cloud {
   IceSettings ice_;
   std::vector<Population> populations_;
   std::vector<FaceTable> faces_;
-  Pilot pilot_[2];  // by Sampler
+  std::array<Pilot, kNamesOf<Sampler>.size()> pilot_;  // by Sampler
 };
 
 }  // namespace parhelion

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "crystal/crystal.h"
-#include "trace/intersector.h"
+#include "trace/face_hit.h"
 #include "trace/lane_steps.h"
 #include "trace/ray_pool.h"
 

@@ -10,9 +10,9 @@ Engine engineOf(const Cloud& cloud, Engine asked) {
   return asked == Engine::automatic && std::ranges::all_of(cloud.populations(), isConvex) ? Engine::planes : asked;
 }
 
-Engines makeEngines(const Cloud& cloud, Engine engine) {
+Intersectors makeIntersectors(const Cloud& cloud, Engine engine) {
   EngineDevices devices;
-  Engines engines;
+  Intersectors engines;
   for (const Population& population : cloud.populations())
     engines.push_back(makeIntersector(engine, population.mesh(), devices));
   return engines;

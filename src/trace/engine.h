@@ -21,7 +21,7 @@ namespace parhelion {
 using Intersector = std::variant<EmbreeIntersector, PlanesIntersector>;
 
 /// One intersector a population, in the populations' order. Valid as long as the cloud.
-using Engines = std::vector<Intersector>;
+using Intersectors = std::vector<Intersector>;
 
 /// The engine asked for, or the planes where the choice is left and all crystals are convex.
 Engine engineOf(const Cloud& cloud, Engine asked);
@@ -53,6 +53,6 @@ inline Intersector makeIntersector(Engine engine, const CrystalMesh& mesh, Engin
 }
 
 /// Throws std::runtime_error when Embree fails; without need of it, no Embree device is made.
-Engines makeEngines(const Cloud& cloud, Engine engine);
+Intersectors makeIntersectors(const Cloud& cloud, Engine engine);
 
 }  // namespace parhelion

@@ -1,23 +1,31 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "sky/tally.h"
-#include "trace/cloud.h"
-#include "trace/path_tally.h"
-#include "trace/trace.h"
+#include <memory>
+
+#include "trace/traced_rays.h"
 
 namespace parhelion {
 
-/// The symmetry asked for, or the most that the cloud allows where the choice is left.
-Symmetry symmetryOf(const Cloud& cloud, Symmetry asked);
+/// Something that adds up the light of traced rays: a picture, a map or a profile. Sums are exact integers, so the
+/// result does not depend on the order of adding and merging.
+class Film {
+ public:
+  virtual ~Film() = default;
 
-/// What exposes a tally, making use of a symmetry that the cloud must have. `tally` must be empty and outlive the film,
-/// which is good for one run of traceRays(): when that is done the tally is complete.
-std::unique_ptr<PathTally> makeFilm(Tally& tally, const Cloud& cloud, Symmetry symmetry);
+  /// Adds what left the crystals of some bundles. The rays of a bundle differ only in wavelength, so their light is
+  /// correlated. Returns how many times light found a place here. An exit that is out of view finds none, and one that
+  /// also counts as its mirror image may find two.
+  virtual int add(const TracedRays& traced) = 0;
 
-/// Traces rays firstRay ... settings.rays - 1 into an empty tally through its own camera, making use of the settings'
-/// symmetry, and notes in its info which rays those were. As traceRays() otherwise.
-TraceReport exposeTally(Tally& tally, const Cloud& cloud, const TraceSettings& settings, std::uint64_t firstRay = 0,
-                        const TraceControl& control = {});
+  /// Makes an empty tally of the same kind for one thread. It is given to merge() at the end.
+  virtual std::unique_ptr<Film> forThread() = 0;
+
+  /// Takes over what a tally made by forThread() has added up. That tally must not be used afterwards.
+  virtual void merge(Film& fromThread) = 0;
+
+  /// Called once, after the last merge.
+  virtual void finish() {}
+};
 
 }  // namespace parhelion

@@ -15,10 +15,10 @@ struct IncidentRay {
   int population = 0;
   Crystal crystal{};
   Mat3 crystalToWorld{1.0};
-  Vec3 lightDirWorld{};        // unit, from the sun's disc toward the crystal
-  Vec3 lightDirCrystal{};      // the same in the crystal's frame
-  EntryPoint entry{};          // crystal frame
-  double projectedArea = 0.0;  // of this crystal in this orientation, crystal units squared
+  Vec3 lightDirWorld{};    // unit, from the sun's disc toward the crystal
+  Vec3 lightDirCrystal{};  // the same in the crystal's frame
+  EntryPoint entry{};      // crystal frame
+  double shadow = 0.0;     // projected area of this crystal in this orientation, crystal units squared
   SpectralSample light;
   double iceIndex = 1.31;  // refractive index at this wavelength
   double weight = 1.0;     // intercepted light this ray stands for; nearly always 1

@@ -5,7 +5,7 @@
 
 #include "math/exact_sum.h"
 #include "trace/branch.h"
-#include "trace/intersector.h"
+#include "trace/face_hit.h"
 #include "trace/lane_types.h"
 
 namespace parhelion {

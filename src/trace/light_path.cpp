@@ -104,7 +104,7 @@ void followLight(const Intersector& engine, const TraceSettings& settings, Light
   std::visit([&](const auto& chosen) { Walk(chosen, settings, path).run(); }, engine);
 }
 
-void followRay(RaySource& source, const Engines& engines, const TraceSettings& settings, std::uint64_t index,
+void followRay(RaySource& source, const Intersectors& engines, const TraceSettings& settings, std::uint64_t index,
                LightPath& path) {
   path.incident = source.ray(index);
   followLight(engines[path.incident.population], settings, path);

@@ -48,7 +48,7 @@ void followLight(const Intersector& engine, const TraceSettings& settings, Light
 
 /// Draws ray `index` and follows it: one ray of what Wave does to many, with the same bits where the engine is the
 /// same.
-void followRay(RaySource& source, const Engines& engines, const TraceSettings& settings, std::uint64_t index,
+void followRay(RaySource& source, const Intersectors& engines, const TraceSettings& settings, std::uint64_t index,
                LightPath& path);
 
 }  // namespace parhelion

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "crystal/crystal.h"
-#include "trace/intersector.h"
+#include "trace/face_hit.h"
 #include "trace/lane_steps.h"
 #include "trace/slab_table.h"
 

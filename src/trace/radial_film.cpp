@@ -25,7 +25,7 @@ int RadialFilm::add(const TracedRays& traced) {
   return seen;
 }
 
-void RadialFilm::merge(PathTally& fromThread) {
+void RadialFilm::merge(Film& fromThread) {
   auto& other = dynamic_cast<RadialFilm&>(fromThread);
   sky_.merge(other.sky_);
   other.intercepted_.addTo(tally_.info, 1);

@@ -3,22 +3,22 @@
 
 #include "sky/radial_sky.h"
 #include "trace/bundle_bins.h"
+#include "trace/film.h"
 #include "trace/intercepted_light.h"
-#include "trace/path_tally.h"
 
 namespace parhelion {
 
 /// Exposes rings about the sun's centre, for clouds in random orientation: every ray counts for whole rings of the sky.
 /// Undeviated light is in no ring.
-class RadialFilm : public PathTally {
+class RadialFilm : public Film {
  public:
   /// `tally` must outlive the film. The sun's centre is toward `toSun` (unit, world).
   RadialFilm(Tally& tally, const Vec3& toSun)
       : tally_(tally), toSun_(toSun), sky_(tally.info, toSun, tally.colours()) {}
 
   int add(const TracedRays& traced) override;
-  std::unique_ptr<PathTally> forThread() override { return std::make_unique<RadialFilm>(tally_, toSun_); }
-  void merge(PathTally& fromThread) override;
+  std::unique_ptr<Film> forThread() override { return std::make_unique<RadialFilm>(tally_, toSun_); }
+  void merge(Film& fromThread) override;
 
   /// Spreads the rings over the tally's pixels.
   void finish() override;

@@ -22,6 +22,7 @@ RaySource::RaySource(const Cloud& cloud, const TraceSettings& settings, int room
     : cloud_(cloud),
       steps_(steps),
       seed_(settings.seed),
+      sampler_(settings.sampler),
       room_(room),
       waiting_(room + RayQueue::kSpare),
       candidates_(cloud.populations().size()) {
@@ -54,7 +55,7 @@ void RaySource::draw(std::uint64_t first, int count) {
 /// Deals the waiting bundles out to the populations that they try next.
 void RaySource::splitByPopulation(int attempt) {
   for (auto& candidates : candidates_) candidates.clear();
-  const std::vector<double>& shares = cloud_.shares(sobol_.empty() ? Sampler::random : Sampler::sobol);
+  const std::vector<double>& shares = cloud_.shares(sampler_);
   const int count = static_cast<int>(waiting_.size()), last = static_cast<int>(shares.size()) - 1;
   waiting_.resize(count + RayQueue::kSpare);
   for (int i = 0; i < count; i += IncidenceNumbers::kRoom) {
@@ -75,7 +76,7 @@ void RaySource::propose(int population, int attempt) {
   auto& bundles = candidates_[population];
   const int count = static_cast<int>(bundles.size());
   bundles.resize(count + RayQueue::kSpare);
-  const IncidenceTable table = cloud_.incidence(population, sobol_.empty() ? Sampler::random : Sampler::sobol);
+  const IncidenceTable table = cloud_.incidence(population, sampler_);
   const std::size_t before = waiting_.size();
   waiting_.resize(before + count + RayQueue::kSpare);
   Proposals proposals{nullptr, 0, waiting_.data() + before, 0};

@@ -44,6 +44,7 @@ class RaySource {
   const Cloud& cloud_;
   const LaneSteps& steps_;
   std::uint64_t seed_;
+  Sampler sampler_;
   std::vector<SobolPoints> sobol_;  // for bundles of even and of odd number; empty for independent numbers
   int room_;
 

@@ -81,11 +81,11 @@ void ScatterProfile::addRay(const TracedRays& traced, int member, int place) {
   volumePerArea_.add(perArea * crystal.volume());
 }
 
-std::unique_ptr<PathTally> ScatterProfile::forThread() {
+std::unique_ptr<Film> ScatterProfile::forThread() {
   return std::make_unique<ScatterProfile>(bins_.size(), from_, from_ + width_ * bins_.size());
 }
 
-void ScatterProfile::merge(PathTally& fromThread) {
+void ScatterProfile::merge(Film& fromThread) {
   const auto& other = dynamic_cast<const ScatterProfile&>(fromThread);
   bins_.merge(other.bins_);
   rays_ += other.rays_;

@@ -5,20 +5,20 @@
 
 #include "math/exact_sum.h"
 #include "trace/bundle_bins.h"
-#include "trace/path_tally.h"
+#include "trace/film.h"
 
 namespace parhelion {
 
 /// Light over the scattering angle, the angle from the direction of the unscattered light, and the quantities of single
 /// scattering that follow from it. Lengths in units of the hexagon's side.
-class ScatterProfile : public PathTally {
+class ScatterProfile : public Film {
  public:
   /// `bins` equal bins over [from, to] (rad, within [0, pi]); light outside them counts for the summary only.
   ScatterProfile(int bins, double from, double to);
 
   int add(const TracedRays& traced) override;
-  std::unique_ptr<PathTally> forThread() override;
-  void merge(PathTally& fromThread) override;
+  std::unique_ptr<Film> forThread() override;
+  void merge(Film& fromThread) override;
 
   struct Bin {
     double from, to;  // rad

@@ -30,7 +30,7 @@ int SkyFilm::add(const TracedRays& traced) {
   return foldsPicture() ? 2 * seen_.count : seen_.count;
 }
 
-void SkyFilm::merge(PathTally& fromThread) {
+void SkyFilm::merge(Film& fromThread) {
   auto& other = dynamic_cast<SkyFilm&>(fromThread);
   other.buffer_.flush();
   other.intercepted_.addTo(tally_.info, mirrored_ ? 2 : 1);

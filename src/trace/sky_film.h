@@ -5,14 +5,14 @@
 #include "sky/deposit_buffer.h"
 #include "sky/tally.h"
 #include "trace/bundle_bins.h"
+#include "trace/film.h"
 #include "trace/intercepted_light.h"
-#include "trace/path_tally.h"
 
 namespace parhelion {
 
 /// Exposes a tally through a camera. All threads share one tally, to which each adds by a buffer of its own: complete
 /// once all are merged. Undeviated light is counted in the tally's info and lands in no pixel.
-class SkyFilm : public PathTally {
+class SkyFilm : public Film {
  public:
   /// `tally` must outlive the film; its info's camera is the one looked through. `mirrored`: every ray counts as its
   /// mirror image in the sun's vertical plane, too, for clouds that are their own mirror images.
@@ -20,10 +20,10 @@ class SkyFilm : public PathTally {
       : SkyFilm(tally, mirrored, std::make_shared<DepositBuffer::Locks>()) {}
 
   int add(const TracedRays& traced) override;
-  std::unique_ptr<PathTally> forThread() override {
+  std::unique_ptr<Film> forThread() override {
     return std::unique_ptr<SkyFilm>(new SkyFilm(tally_, mirrored_, locks_));
   }
-  void merge(PathTally& fromThread) override;
+  void merge(Film& fromThread) override;
   void finish() override;
 
  private:

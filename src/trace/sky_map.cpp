@@ -38,9 +38,9 @@ int SkyMap::add(const TracedRays& traced) {
   return exits.count;
 }
 
-std::unique_ptr<PathTally> SkyMap::forThread() { return std::make_unique<SkyMap>(toSun_, binsPerHalfTurn_); }
+std::unique_ptr<Film> SkyMap::forThread() { return std::make_unique<SkyMap>(toSun_, binsPerHalfTurn_); }
 
-void SkyMap::merge(PathTally& fromThread) {
+void SkyMap::merge(Film& fromThread) {
   const auto& other = dynamic_cast<const SkyMap&>(fromThread);
   bins_.merge(other.bins_);
   bundles_ += other.bundles_;

@@ -5,21 +5,21 @@
 
 #include "math/exact_sum.h"
 #include "trace/bundle_bins.h"
-#include "trace/path_tally.h"
+#include "trace/film.h"
 
 namespace parhelion {
 
 /// Light over a grid of azimuth and elevation that covers the whole sphere. Bins are centred on multiples of the step:
 /// azimuth from -180 degrees up to below 180, elevation from -90 to 90, the rows at the poles being half as high.
 /// The undeviated light is in the bin of the sun's centre.
-class SkyMap : public PathTally {
+class SkyMap : public Film {
  public:
   /// `binsPerHalfTurn` columns make 180 degrees: 180 for steps of one degree.
   SkyMap(const Vec3& toSun, int binsPerHalfTurn);
 
   int add(const TracedRays& traced) override;
-  std::unique_ptr<PathTally> forThread() override;
-  void merge(PathTally& fromThread) override;
+  std::unique_ptr<Film> forThread() override;
+  void merge(Film& fromThread) override;
 
   int columns() const { return 2 * binsPerHalfTurn_; }
   int rows() const { return binsPerHalfTurn_ + 1; }

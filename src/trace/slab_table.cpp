@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "trace/intersector.h"
+#include "trace/face_hit.h"
 
 namespace parhelion {
 

@@ -20,17 +20,17 @@ constexpr std::uint64_t kBatch = 64;
 
 /// What one thread keeps to itself.
 struct Worker {
-  std::unique_ptr<PathTally> tally;
+  std::unique_ptr<Film> tally;
   std::unique_ptr<Wave> wave;
 };
 
 }  // namespace
 
-TraceReport traceRays(const Cloud& cloud, const TraceSettings& settings, std::uint64_t firstRay, PathTally& tally,
+TraceReport traceRays(const Cloud& cloud, const TraceSettings& settings, std::uint64_t firstRay, Film& tally,
                       const TraceControl& control) {
   const std::uint64_t bundleSize = cloud.bundleSize();
   if (firstRay % bundleSize != 0) throw std::invalid_argument("a run must start with the first ray of a bundle");
-  const Engines engines = makeEngines(cloud, settings.engine);
+  const Intersectors engines = makeIntersectors(cloud, settings.engine);
   Threads threads(control.threads);
   const LaneSteps& steps = laneSteps(control.simd);
   tbb::enumerable_thread_specific<Worker> workers([&] {

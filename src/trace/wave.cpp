@@ -31,7 +31,7 @@ int Wave::bundles(const Cloud& cloud) {
   return std::max(32, kRays / cloud.bundleSize()) - RayQueue::kSpare;
 }
 
-Wave::Wave(const Cloud& cloud, const Engines& engines, const TraceSettings& settings, const LaneSteps& steps)
+Wave::Wave(const Cloud& cloud, const Intersectors& engines, const TraceSettings& settings, const LaneSteps& steps)
     : cloud_(cloud),
       engines_(engines),
       steps_(steps),
@@ -40,7 +40,7 @@ Wave::Wave(const Cloud& cloud, const Engines& engines, const TraceSettings& sett
       source_(cloud, settings, bundles(cloud), steps),
       pool_(emptyPool()) {}
 
-void Wave::trace(std::uint64_t first, int count, int members, PathTally& tally) {
+void Wave::trace(std::uint64_t first, int count, int members, Film& tally) {
   source_.draw(first, count);
   for (int p = 0; p < static_cast<int>(engines_.size()); ++p) {
     RayQueue& queue = source_.queues()[p];

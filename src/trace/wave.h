@@ -5,7 +5,7 @@
 
 #include "trace/energy_ledger.h"
 #include "trace/engine.h"
-#include "trace/path_tally.h"
+#include "trace/film.h"
 #include "trace/ray_source.h"
 
 namespace parhelion {
@@ -15,7 +15,7 @@ struct TraceCounts {
   std::uint64_t rays = 0;
   std::uint64_t hits = 0;      // ray-face encounters
   std::uint64_t deposits = 0;  // exits of light
-  std::uint64_t placed = 0;    // times light found a place in the tally; see PathTally::add()
+  std::uint64_t placed = 0;    // times light found a place in the tally; see Film::add()
   std::uint64_t rescued = 0;   // encounters for which the engine found no face and the planes decided
   EnergyLedger energy;
 
@@ -31,11 +31,11 @@ class Wave {
   static int bundles(const Cloud& cloud);
 
   /// `engines` must outlive the wave.
-  Wave(const Cloud& cloud, const Engines& engines, const TraceSettings& settings, const LaneSteps& steps);
+  Wave(const Cloud& cloud, const Intersectors& engines, const TraceSettings& settings, const LaneSteps& steps);
 
   /// Traces bundles first ... first + count - 1 into `tally`, of each the first `members` rays. `count` is at most
   /// bundles().
-  void trace(std::uint64_t first, int count, int members, PathTally& tally);
+  void trace(std::uint64_t first, int count, int members, Film& tally);
 
   const TraceCounts& counts() const { return counts_; }
 
@@ -48,7 +48,7 @@ class Wave {
   void count(const RayQueue& queue, int members);
 
   const Cloud& cloud_;
-  const Engines& engines_;
+  const Intersectors& engines_;
   const LaneSteps& steps_;
   std::uint64_t seed_;
   PathRule rule_;

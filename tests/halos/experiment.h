@@ -37,7 +37,7 @@ inline Cloud cloudUnderPointSun(double sunElevation, const std::vector<Populatio
 /// Calls `look` with each of the first `rays` light paths, encounters recorded, one after the other.
 template <class Look>
 void forEachRay(const Cloud& cloud, std::uint64_t rays, Look&& look, const TraceSettings& settings = {}) {
-  const Engines engines = makeEngines(cloud, settings.engine);
+  const Intersectors engines = makeIntersectors(cloud, settings.engine);
   RaySource source(cloud, settings, 256);
   LightPath path;
   path.recordEncounters = true;

@@ -13,7 +13,7 @@
 #include "math/rotation.h"
 #include "sky/camera.h"
 #include "sky/radiance.h"
-#include "trace/film.h"
+#include "trace/expose.h"
 
 using namespace parhelion;
 
@@ -47,7 +47,7 @@ Cloud oneSidedPlates() {
 Image platesSky() {
   const Cloud cloud = oneSidedPlates();
   Tally tally(wholeSphere(), 1);
-  exposeTally(tally, cloud, {.rays = 1'000'000, .seed = 5, .symmetry = Symmetry::none});
+  traceTally(tally, cloud, {.rays = 1'000'000, .seed = 5, .symmetry = Symmetry::none});
   return plainRadiance(tally);
 }
 

@@ -23,7 +23,7 @@ Cloud freePrisms(double aspect, double index = kIndex) {
 }
 
 /// Mean internal path of many rays at a time, which all weigh the same but for a few.
-struct InternalPaths : PathTally {
+struct InternalPaths : Film {
   std::vector<double> means;
 
   int add(const TracedRays& traced) override {
@@ -32,8 +32,8 @@ struct InternalPaths : PathTally {
     means.push_back(sum / queue.count);
     return traced.exits.count;
   }
-  std::unique_ptr<PathTally> forThread() override { return std::make_unique<InternalPaths>(); }
-  void merge(PathTally& other) override {
+  std::unique_ptr<Film> forThread() override { return std::make_unique<InternalPaths>(); }
+  void merge(Film& other) override {
     const auto& more = dynamic_cast<InternalPaths&>(other).means;
     means.insert(means.end(), more.begin(), more.end());
   }
@@ -112,7 +112,7 @@ TEST_CASE("the mean shadow of randomly oriented convex crystals is a quarter of 
     // Rays come in proportion to the shadow A, so crystals count by 1 / A.
     SampleMean perShadow;
     forEachRay(freePrisms(aspect), 200'000,
-               [&](const LightPath& path) { perShadow.add(path.incident.weight / path.incident.projectedArea); });
+               [&](const LightPath& path) { perShadow.add(path.incident.weight / path.incident.shadow); });
     CHECK(perShadow.sigmasFrom(4.0 / prismSurface(aspect)) < 4.0);
     const auto summary = summaryOf(freePrisms(aspect), 200'000);
     const double relativeError = perShadow.standardError() / perShadow.mean();

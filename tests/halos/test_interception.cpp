@@ -40,7 +40,7 @@ void checkShadow(const Cloud& cloud, double expected) {
   SampleMean perShadow;  // rays come in proportion to the shadow; its inverse counts crystals
   for (std::uint64_t i = 0; i < kRays; ++i) {
     const IncidentRay ray = source.ray(i);
-    perShadow.add(ray.weight / ray.projectedArea);
+    perShadow.add(ray.weight / ray.shadow);
   }
   const double relativeError = perShadow.standardError() / perShadow.mean();
   // Where all crystals have one shadow there is no scatter but rounding.

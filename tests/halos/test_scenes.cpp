@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "halos/edge_fit.h"
-#include "render/exposure.h"
+#include "render/traced_sky.h"
 #include "scene/parse_scene.h"
-#include "trace/film.h"
+#include "trace/expose.h"
 
 using namespace parhelion;
 

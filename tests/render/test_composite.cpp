@@ -51,10 +51,10 @@ TEST_CASE("a halo comes out the same whether it is rendered for a photograph or 
   const TemporaryDirectory folder;
   const PhotoCamera photo = photoCamera();
   const HaloScene scene = haloSceneFor(photo, 1, smallScene);
-  const Exposure exposure = expose(scene.coarse, cloudOf(scene.coarse.scene));
-  const PhotoHalo rendered = haloOf(exposure, scene, photo, 0);
-  ReconstructedSky sky = developSky(exposure, scene.coarse, 0);
-  writeSky(folder / "sky.exr", sky.image, exposure.tally.info, scene.coarse);
+  const TracedSky traced = traceSky(scene.coarse, cloudOf(scene.coarse.scene));
+  const PhotoHalo rendered = haloOf(traced, scene, photo, 0);
+  ReconstructedSky sky = developSky(traced, scene.coarse, 0);
+  writeSky(folder / "sky.exr", sky.image, traced.tally.info, scene.coarse);
   CHECK(sunElevationIn(folder / "sky.exr") == doctest::Approx(photo.sunElevation).epsilon(1e-11));
 
   const PhotoHalo read = readHalo(folder / "sky.exr", photo);
@@ -83,7 +83,7 @@ TEST_CASE("a composite writes all its files with the halo's scene and strength, 
 
   Printed printed;
   const HaloScene scene = haloSceneFor(photo, 2, smallScene);
-  const PhotoHalo halo = haloOf(expose(scene.coarse, cloudOf(scene.coarse.scene)), scene, photo, 2);
+  const PhotoHalo halo = haloOf(traceSky(scene.coarse, cloudOf(scene.coarse.scene)), scene, photo, 2);
   const SkyMask mask = allSky(photograph);
   const CompositeFiles files{folder / "photo.jpg", folder / "out.png", folder / "layers", folder / "mask.png"};
   const AddedHaloReport done =

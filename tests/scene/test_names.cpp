@@ -3,9 +3,10 @@
 
 #include <set>
 
+#include "math/names.h"
 #include "scene/describe.h"
-#include "scene/names.h"
 #include "scene/scene_keys.h"
+#include "scene/table_kinds.h"
 #include "scene_support.h"
 
 using namespace parhelion;

@@ -3,7 +3,7 @@
 
 #include <variant>
 
-#include "scene/names.h"
+#include "math/names.h"
 #include "scene_support.h"
 
 using namespace parhelion;

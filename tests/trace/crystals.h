@@ -32,9 +32,8 @@ inline Cloud simpleCloud(const std::vector<PopulationSettings>& populations, dou
 
 /// An engine for one mesh.
 inline Intersector intersectorOf(const CrystalMesh& mesh, Engine engine) {
-  if (engine == Engine::planes) return PlanesIntersector(mesh);
-  return EmbreeIntersector(EmbreeDevice(), mesh,
-                           engine == Engine::embreeRobust ? EmbreeMode::robust : EmbreeMode::fast);
+  EngineDevices devices;
+  return makeIntersector(engine, mesh, devices);
 }
 
 inline std::optional<FaceHit> nextFace(const Intersector& engine, const Crystal& crystal, const Vec3& point,

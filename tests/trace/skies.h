@@ -13,7 +13,7 @@
 #include "halos/comparison.h"
 #include "sky/look_at.h"
 #include "statistics.h"
-#include "trace/film.h"
+#include "trace/expose.h"
 
 namespace parhelion::test {
 
@@ -52,15 +52,15 @@ inline TraceSettings by(Symmetry symmetry, std::uint64_t rays, std::uint64_t see
 }
 
 /// The picture that rays `firstRay` ... `settings.rays` - 1 make.
-inline Tally expose(const Cloud& cloud, const CameraSettings& camera, const TraceSettings& settings,
-                    std::uint64_t firstRay = 0, int threads = 2) {
+inline Tally traceSky(const Cloud& cloud, const CameraSettings& camera, const TraceSettings& settings,
+                      std::uint64_t firstRay = 0, int threads = 2) {
   TallyInfo info;
   info.camera = camera;
   info.white = cloud.spectrum().white();
   Tally tally(info, cloud.spectrum().colours());
   TraceControl control;
   control.threads = threads;
-  exposeTally(tally, cloud, settings, firstRay, control);
+  traceTally(tally, cloud, settings, firstRay, control);
   return tally;
 }
 
@@ -100,7 +100,7 @@ struct Replicates {
   SampleMean total, undeviated;     // luminance of the whole picture, share of undeviated light
 
   Replicates(const Cloud& cloud, const CameraSettings& camera, TraceSettings settings, int count) {
-    for (int i = 0; i < count; ++i, ++settings.seed) add(expose(cloud, camera, settings), 1.0 / count);
+    for (int i = 0; i < count; ++i, ++settings.seed) add(traceSky(cloud, camera, settings), 1.0 / count);
   }
 
   /// Mean over some pixels of the variance of luminance: as the pictures scatter, and as the tallies state it.

@@ -7,13 +7,14 @@
 #include <glm/geometric.hpp>
 
 #include "crystals.h"
+#include "math/names.h"
 
 using namespace parhelion;
 using namespace parhelion::test;
 
 namespace {
 
-constexpr Engine kEngines[] = {Engine::embree, Engine::embreeRobust, Engine::planes};
+constexpr auto kEngines = kMembersOf<Engine>;
 
 void checkSane(const LightPath& path, double tolerance = 1e-12) {
   REQUIRE(path.lost == 0.0);
@@ -152,7 +153,7 @@ TEST_CASE("light parallel to faces goes through without a NaN") {
       for (const OrientationSettings& orientation : std::vector<OrientationSettings>{plate, column})
         for (const double aspect : {0.1, 1.0, 10.0}) {
           const Cloud cloud = simpleCloud({prismPopulation(aspect, orientation)}, elevation);
-          const Engines engines = makeEngines(cloud, engine);
+          const Intersectors engines = makeIntersectors(cloud, engine);
           RaySource source(cloud, {}, 256);
           LightPath path;
           for (int i = 0; i < 2000; ++i) {
@@ -186,7 +187,7 @@ TEST_CASE("aspect ratios from a thousandth to a thousand lose no ray and no ener
   for (const Engine engine : kEngines)
     for (const double aspect : {1e-3, 1e-2, 1e2, 1e3}) {
       const Cloud cloud = simpleCloud({prismPopulation(aspect)});
-      const Engines engines = makeEngines(cloud, engine);
+      const Intersectors engines = makeIntersectors(cloud, engine);
       RaySource source(cloud, {}, 256);
       LightPath path;
       for (int i = 0; i < 5000; ++i) {
@@ -199,7 +200,7 @@ TEST_CASE("aspect ratios from a thousandth to a thousand lose no ray and no ener
 TEST_CASE("undeviated light stays within a ten-thousandth of a radian of the sun") {
   const Cloud cloud = simpleCloud({prismPopulation(0.3)});
   for (const Engine engine : kEngines) {
-    const Engines engines = makeEngines(cloud, engine);
+    const Intersectors engines = makeIntersectors(cloud, engine);
     RaySource source(cloud, {}, 256);
     LightPath path;
     int undeviated = 0;

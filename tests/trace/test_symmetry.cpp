@@ -55,9 +55,9 @@ std::vector<int> pixelsOf(const CameraSettings& settings, double aside = 0.0) {
 
 TEST_CASE("a mirrored picture is the plain one and the mirror image of one by a mirrored camera, of the same rays") {
   for (const View& view : mirrorViews()) {
-    const Tally both = expose(view.cloud, view.camera, by(Symmetry::mirror, 100'000, 3));
-    const Tally plain = expose(view.cloud, view.camera, by(Symmetry::none, 100'000, 3));
-    const Tally image = expose(view.cloud, mirrored(view.camera), by(Symmetry::none, 100'000, 3));
+    const Tally both = traceSky(view.cloud, view.camera, by(Symmetry::mirror, 100'000, 3));
+    const Tally plain = traceSky(view.cloud, view.camera, by(Symmetry::none, 100'000, 3));
+    const Tally image = traceSky(view.cloud, mirrored(view.camera), by(Symmetry::none, 100'000, 3));
     CHECK(both.info.intercepted == 2 * plain.info.intercepted);
     CHECK(both.info.undeviated == 2 * plain.info.undeviated);
     for (const int pixel : pixelsOf(view.camera)) {
@@ -79,8 +79,8 @@ TEST_CASE("a mirrored picture is the plain one and the mirror image of one by a 
 
 TEST_CASE("mirrored pictures agree with plain ones of other rays within the errors that the tallies state") {
   for (const View& view : mirrorViews()) {
-    const Tally plain = expose(view.cloud, view.camera, by(Symmetry::none, 1'000'000, 1));
-    const Tally both = expose(view.cloud, view.camera, by(Symmetry::mirror, 1'000'000, 2));
+    const Tally plain = traceSky(view.cloud, view.camera, by(Symmetry::none, 1'000'000, 1));
+    const Tally both = traceSky(view.cloud, view.camera, by(Symmetry::mirror, 1'000'000, 2));
     const Disagreement d = comparePictures(plain, both);
     CHECK(d.compared() > 150);
     CHECK(std::abs(d.sigmas()) < kSigmas);
@@ -103,7 +103,7 @@ TEST_CASE("a whole sphere holds all light that is deviated, by any symmetry") {
   const Cloud cloud = sunlit({prismPopulation(2.0), pyramids(0.9, 0.2)});
   std::int64_t intercepted = 0;
   for (const Symmetry symmetry : {Symmetry::none, Symmetry::mirror, Symmetry::radial}) {
-    const Tally tally = expose(cloud, wholeSphere(), by(symmetry, 100'000, 3));
+    const Tally tally = traceSky(cloud, wholeSphere(), by(symmetry, 100'000, 3));
     const double deviated = 1.0 - tally.info.undeviatedFraction();
     // Deposits are rounded to 2^-29; the rings' shares in single pixels are good to 1e-3 of a pixel.
     const double slack = symmetry == Symmetry::radial ? 1e-4 : 1e-9;
@@ -120,8 +120,8 @@ TEST_CASE("a mirrored picture of crystals that are not symmetric is another one"
   turned.roll = FixedValue{radians(10.0)};
   const Cloud cloud = sunlit({prismPopulation(0.3, turned)});
   CHECK(symmetryOf(cloud, Symmetry::automatic) == Symmetry::none);
-  const Disagreement d = comparePictures(expose(cloud, wholeSphere(), by(Symmetry::none, 200'000, 1)),
-                                         expose(cloud, wholeSphere(), by(Symmetry::mirror, 200'000, 2)));
+  const Disagreement d = comparePictures(traceSky(cloud, wholeSphere(), by(Symmetry::none, 200'000, 1)),
+                                         traceSky(cloud, wholeSphere(), by(Symmetry::mirror, 200'000, 2)));
   CHECK(d.sigmas() > 20.0);
 }
 
@@ -147,7 +147,7 @@ TEST_CASE("symmetry is chosen by the crystals' orientations unless it is asked f
 TEST_CASE("the halves of a mirrored picture are as far apart as independent halves are") {
   SampleMean apart;
   for (const View& view : mirrorViews()) {
-    const Tally tally = expose(view.cloud, view.camera, by(Symmetry::mirror, 500'000, 4));
+    const Tally tally = traceSky(view.cloud, view.camera, by(Symmetry::mirror, 500'000, 4));
     for (int pixel = 0; pixel < tally.pixels(); ++pixel) addHalves(tally, pixel, apart);
   }
   CHECK(apart.sigmasFrom(1.0) < kSigmas);
@@ -158,11 +158,11 @@ TEST_CASE("a mirrored picture is the same bits for one, two and seven threads, a
   const std::vector<View> views = mirrorViews();
   const auto& [cloud, camera] = views[3];
   const TraceSettings settings = by(Symmetry::mirror, 60'000, 1);
-  const Tally one = expose(cloud, camera, settings, 0, 1);
-  CHECK(one == expose(cloud, camera, settings, 0, 2));
-  CHECK(one == expose(cloud, camera, settings, 0, 7));
-  CHECK_FALSE(one == expose(cloud, camera, by(Symmetry::mirror, 59'998, 1), 0, 1));
-  Tally parts = expose(cloud, camera, by(Symmetry::mirror, 25'000, 1));
-  parts.merge(expose(cloud, camera, settings, 25'000));
+  const Tally one = traceSky(cloud, camera, settings, 0, 1);
+  CHECK(one == traceSky(cloud, camera, settings, 0, 2));
+  CHECK(one == traceSky(cloud, camera, settings, 0, 7));
+  CHECK_FALSE(one == traceSky(cloud, camera, by(Symmetry::mirror, 59'998, 1), 0, 1));
+  Tally parts = traceSky(cloud, camera, by(Symmetry::mirror, 25'000, 1));
+  parts.merge(traceSky(cloud, camera, settings, 25'000));
   CHECK(parts == one);
 }

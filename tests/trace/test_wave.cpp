@@ -17,7 +17,7 @@ namespace {
 using Left = std::tuple<double, double, double, double, int, bool>;
 
 /// Everything that waves make of rays, by ray index.
-struct Recorder : PathTally {
+struct Recorder : Film {
   std::map<std::uint64_t, std::vector<Left>> left;
   std::map<std::uint64_t, double> internalPath;
 
@@ -39,8 +39,8 @@ struct Recorder : PathTally {
       }
     return traced.exits.count;
   }
-  std::unique_ptr<PathTally> forThread() override { return std::make_unique<Recorder>(); }
-  void merge(PathTally& other) override {
+  std::unique_ptr<Film> forThread() override { return std::make_unique<Recorder>(); }
+  void merge(Film& other) override {
     left.merge(dynamic_cast<Recorder&>(other).left);
     internalPath.merge(dynamic_cast<Recorder&>(other).internalPath);
   }
@@ -101,7 +101,7 @@ TEST_CASE("waves make of every ray, to the last bit, what following it alone mak
         settings.engine = engine;
         const Cloud cloud = manyKinds(spectrum);
         const Recorder waves = recordWaves(cloud, settings);
-        const Engines engines = makeEngines(cloud, engine);
+        const Intersectors engines = makeIntersectors(cloud, engine);
         RaySource source(cloud, settings, 100);
         LightPath alone;
         for (std::uint64_t index = 0; index < settings.rays; ++index) {

@@ -9,10 +9,6 @@
 
 namespace parhelion {
 
-/// Aspect ratios that are modelled; wider distributions are cut off here.
-inline constexpr double kThinnestAspect = 1e-4;
-inline constexpr double kLongestAspect = 1e4;
-
 /// Hexagonal prism: a plate for aspect below 1, a column (a "pencil") above.
 struct PrismSettings {
   static constexpr std::string_view kName = "prism";

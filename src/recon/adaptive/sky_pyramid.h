@@ -61,10 +61,6 @@ class SkyPyramid {
   /// How many pixels show sky.
   std::size_t skyPixels() const { return skyPixels_; }
 
-  /// Solid angle that is relative 1, sr: the mean of these (at half resolution four times that of the pixels); 0 if
-  /// there are none.
-  double meanSolidAngle() const { return meanSolidAngle_; }
-
  private:
   SkyPyramid() = default;
 
@@ -72,6 +68,7 @@ class SkyPyramid {
   Raster<float> wholeOmega_;
   SkyFrame frame_;
   std::size_t skyPixels_ = 0;
+  // Solid angle that is relative 1, sr: the mean of these pixels' (at half resolution four times that); 0 without any.
   double meanSolidAngle_ = 0.0;
 };
 

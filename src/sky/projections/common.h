@@ -30,7 +30,7 @@ struct AxisAngle {
 namespace projections {
 
 // Full angles given in degrees may end up an ulp above 2 pi.
-inline constexpr double kAngleSlack = 1.0 + 1e-12;
+inline constexpr double kFullAngleSlack = 1.0 + 1e-12;
 
 // Field of view at the very limit of a projection: lost digits must not count as beyond it.
 inline constexpr double kRounding = 1e-15;

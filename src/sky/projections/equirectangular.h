@@ -23,7 +23,7 @@ struct Equirectangular {
   }
 
   static std::optional<Vec3> direction(Vec2 p) {
-    if (std::abs(p.x) > kPi * kAngleSlack || std::abs(p.y) > 0.5 * kPi * kAngleSlack) return std::nullopt;
+    if (std::abs(p.x) > kPi * kFullAngleSlack || std::abs(p.y) > 0.5 * kPi * kFullAngleSlack) return std::nullopt;
     const auto [sinLon, cosLon] = portable::sincos(p.x);
     const auto [sinLat, cosLat] = portable::sincos(p.y);
     return Vec3(cosLat * sinLon, sinLat, cosLat * cosLon);

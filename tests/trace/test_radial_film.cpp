@@ -26,8 +26,8 @@ std::vector<View> radialViews() {
 TEST_CASE("radial pictures agree with plain ones of other rays within the errors that the tallies state") {
   for (const View& view : radialViews()) {
     // Pixels share rings, and so their noise: of more rays, it does not count.
-    const Tally plain = expose(view.cloud, view.camera, by(Symmetry::none, 1'000'000, 1));
-    const Tally rings = expose(view.cloud, view.camera, by(Symmetry::radial, 4'000'000, 2));
+    const Tally plain = traceSky(view.cloud, view.camera, by(Symmetry::none, 1'000'000, 1));
+    const Tally rings = traceSky(view.cloud, view.camera, by(Symmetry::radial, 4'000'000, 2));
     const Disagreement d = comparePictures(plain, rings);
     CHECK(d.compared() > 150);
     CHECK(std::abs(d.sigmas()) < kSigmas);
@@ -65,7 +65,7 @@ TEST_CASE("the halves of a radial picture are as far apart as independent halves
   const std::vector<View> views = radialViews();
   SampleMean apart;
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
-    const Tally tally = expose(views[0].cloud, views[0].camera, by(Symmetry::radial, 20'000, seed));
+    const Tally tally = traceSky(views[0].cloud, views[0].camera, by(Symmetry::radial, 20'000, seed));
     // Every other pixel of a row has rings of its own.
     for (int x = 0; x < tally.width(); x += 2) addHalves(tally, tally.width() * (tally.height() / 2) + x, apart);
   }
@@ -77,13 +77,13 @@ TEST_CASE("a radial picture is the same bits for one, two and seven threads, and
   const std::vector<View> views = radialViews();
   const auto& [cloud, camera] = views[1];
   const TraceSettings settings = by(Symmetry::radial, 60'000, 1);
-  const Tally one = expose(cloud, camera, settings, 0, 1);
-  CHECK(one == expose(cloud, camera, settings, 0, 2));
-  CHECK(one == expose(cloud, camera, settings, 0, 7));
-  CHECK_FALSE(one == expose(cloud, camera, by(Symmetry::radial, 59'998, 1), 0, 1));
+  const Tally one = traceSky(cloud, camera, settings, 0, 1);
+  CHECK(one == traceSky(cloud, camera, settings, 0, 2));
+  CHECK(one == traceSky(cloud, camera, settings, 0, 7));
+  CHECK_FALSE(one == traceSky(cloud, camera, by(Symmetry::radial, 59'998, 1), 0, 1));
 
-  Tally parts = expose(cloud, camera, by(Symmetry::radial, 25'000, 1));
-  parts.merge(expose(cloud, camera, settings, 25'000));
+  Tally parts = traceSky(cloud, camera, by(Symmetry::radial, 25'000, 1));
+  parts.merge(traceSky(cloud, camera, settings, 25'000));
   CHECK(parts.info == one.info);
   // Sums are rounded to whole units where rings are spread over pixels.
   for (int pixel = 0; pixel < one.pixels(); ++pixel)

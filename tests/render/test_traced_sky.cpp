@@ -32,7 +32,7 @@ TraceControl threads(int count) {
 TEST_CASE("an exposure has the same bits with one thread and with three, and its tally knows what it is of") {
   const LoadedScene loaded = smallScene();
   const Cloud cloud = cloudOf(loaded.scene);
-  const Exposure one = expose(loaded, cloud, threads(1)), three = expose(loaded, cloud, threads(3));
+  const TracedSky one = traceSky(loaded, cloud, threads(1)), three = traceSky(loaded, cloud, threads(3));
   CHECK(one.tally == three.tally);
   CHECK(one.tally.info.rays == std::vector<RayRange>{{0, 20'000}});
   CHECK(one.tally.info.scene == loaded.text);
@@ -53,10 +53,10 @@ TEST_CASE("a run says which engine and symmetry were chosen for it") {
   CHECK(chosen(smallScene({"trace.engine='embree'"})).engine == Engine::embree);
 
   const LoadedScene loaded = smallScene();
-  const Exposure exposure = expose(loaded, cloudOf(loaded.scene));
-  CHECK(exposure.settings.symmetry == Symmetry::mirror);
-  CHECK(exposure.settings.engine == Engine::planes);
-  CHECK(exposure.settings.rays == 20'000);
+  const TracedSky traced = traceSky(loaded, cloudOf(loaded.scene));
+  CHECK(traced.settings.symmetry == Symmetry::mirror);
+  CHECK(traced.settings.engine == Engine::planes);
+  CHECK(traced.settings.rays == 20'000);
 }
 
 TEST_CASE("maps and profiles count every ray for itself") {
@@ -78,14 +78,14 @@ TEST_CASE("an exposure that is stopped holds the rays until then as if no more h
   control.stop = &stop;
   control.onProgress = [&](std::uint64_t, double) { stop = true; };
   const LoadedScene loaded = smallScene({"trace.rays=30000000"});
-  const Exposure stopped = expose(loaded, cloudOf(loaded.scene), control);
+  const TracedSky stopped = traceSky(loaded, cloudOf(loaded.scene), control);
   CHECK(stopped.report.interrupted);
   const std::uint64_t rays = stopped.tally.info.rayCount();
   CHECK(rays == stopped.report.rays);
   CHECK(rays > 0);
   CHECK(rays < 30'000'000);
   const LoadedScene shorter = smallScene({"trace.rays=" + std::to_string(rays)});
-  CHECK(sameLight(stopped.tally, expose(shorter, cloudOf(shorter.scene)).tally));
+  CHECK(sameLight(stopped.tally, traceSky(shorter, cloudOf(shorter.scene)).tally));
 }
 
 TEST_CASE("a ray lived again has its faces, and its light adds up") {
@@ -103,10 +103,10 @@ TEST_CASE("nothing is printed from a scene to its files") {
   const TemporaryDirectory folder;
   const LoadedScene loaded = smallScene({"sun.visible=true"});
   Printed printed;
-  const Exposure exposure = expose(loaded, cloudOf(loaded.scene));
-  ReconstructedSky sky = developSky(exposure, loaded, 2);
+  const TracedSky traced = traceSky(loaded, cloudOf(loaded.scene));
+  ReconstructedSky sky = developSky(traced, loaded, 2);
   const SkyFiles files{folder / "sky.exr", folder / "sky.png", 1.5};
-  const WrittenSky written = writeSkyFiles(files, sky.image, exposure.tally.info, loaded);
+  const WrittenSky written = writeSkyFiles(files, sky.image, traced.tally.info, loaded);
   traceMap(loaded.scene, 18);
   traceProfile(loaded.scene, 90, 0.0, kPi);
   CHECK(printed.text() == "");

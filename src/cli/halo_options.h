@@ -12,7 +12,7 @@ namespace parhelion::cli {
 
 /// Where the halo for a photograph comes from: a scene that is rendered into the photograph's camera, or the picture of
 /// a render.
-struct HaloSource {
+struct HaloOptions {
   RunOptions run;       // its scene is that of --scene
   std::string picture;  // of --halo
   std::optional<int> coarseness;

@@ -15,7 +15,7 @@ using namespace parhelion::test;
 namespace {
 
 /// All that a run's expectation may be looked for in: profile, map of the sky, and light by population.
-struct Estimate : PathTally {
+struct Estimate : Film {
   ScatterProfile profile{90, 0.0, kPi};
   SkyMap map{skyDirection(0.0, radians(20.0)), 6};
   std::map<const CrystalMesh*, ExactSum> weight;  // of each population
@@ -30,8 +30,8 @@ struct Estimate : PathTally {
     profile.add(traced);
     return map.add(traced);
   }
-  std::unique_ptr<PathTally> forThread() override { return std::make_unique<Estimate>(); }
-  void merge(PathTally& fromThread) override {
+  std::unique_ptr<Film> forThread() override { return std::make_unique<Estimate>(); }
+  void merge(Film& fromThread) override {
     auto& other = dynamic_cast<Estimate&>(fromThread);
     profile.merge(other.profile);
     map.merge(other.map);
@@ -116,7 +116,7 @@ const SpectrumSettings kSpectra[] = {MonochromaticSpectrum{550.0}, ContinuousSpe
                                      LineSpectrum{{450.0, 550.0, 650.0}}};
 
 Tally exposeSobol(const Cloud& cloud, std::uint64_t firstRay, std::uint64_t endRay, int threads) {
-  return expose(cloud, wholeSphere(), {.rays = endRay, .sampler = Sampler::sobol}, firstRay, threads);
+  return traceSky(cloud, wholeSphere(), {.rays = endRay, .sampler = Sampler::sobol}, firstRay, threads);
 }
 
 }  // namespace
@@ -172,7 +172,7 @@ TEST_CASE("a picture by Sobol' points is the same bits for one, two and seven th
     const Tally one = exposeSobol(cloud, 0, 60'000, 1);
     CHECK(one == exposeSobol(cloud, 0, 60'000, 2));
     CHECK(one == exposeSobol(cloud, 0, 60'000, 7));
-    CHECK_FALSE(one == expose(cloud, wholeSphere(), {.rays = 60'000}));
+    CHECK_FALSE(one == traceSky(cloud, wholeSphere(), {.rays = 60'000}));
     Tally parts = exposeSobol(cloud, 0, 7'002, 2);
     parts.merge(exposeSobol(cloud, 25'008, 60'000, 2));
     parts.merge(exposeSobol(cloud, 7'002, 25'008, 1));
@@ -186,7 +186,7 @@ TEST_CASE("the halves of a picture by Sobol' points are independent of each othe
   SampleMean sum, difference;
   for (std::uint64_t seed = 1; seed <= 300; ++seed) {
     const Tally tally =
-        expose(cloud, camera, {.rays = 4096, .seed = seed, .sampler = Sampler::sobol, .symmetry = Symmetry::none});
+        traceSky(cloud, camera, {.rays = 4096, .seed = seed, .sampler = Sampler::sobol, .symmetry = Symmetry::none});
     sum.add(tally.luminance(0));
     difference.add(2.0 * tally.firstHalf(0) - tally.luminance(0));
   }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/halo_source.h"
+#include "cli/halo_options.h"
 
 #include "cli/commands.h"
 #include "cli/trace_watch.h"
 
 namespace parhelion::cli {
 
-void HaloSource::addTo(CLI::App& command) {
+void HaloOptions::addTo(CLI::App& command) {
   command.add_option("--scene", run.scene, "The scene of the halo; its camera gives way to the photograph's")
       ->type_name("SCENE");
   command.add_option("--halo", picture, "Instead of a scene: a sky that was rendered before, by any camera")
@@ -19,7 +19,7 @@ void HaloSource::addTo(CLI::App& command) {
   run.addTracingTo(command, true);
 }
 
-void HaloSource::requireOne() const {
+void HaloOptions::requireOne() const {
   if (run.scene.empty() && picture.empty()) throw CLI::RequiredError("--scene SCENE, or --halo SKY.exr,");
   if (!run.scene.empty() && !picture.empty()) throw CLI::ValidationError("--scene and --halo exclude each other");
   for (const std::string& override : run.overrides) {
@@ -32,21 +32,21 @@ void HaloSource::requireOne() const {
         "-D, --rays, --stats and --coarseness are for a --scene; the sky of --halo is made already");
 }
 
-double HaloSource::sunElevation() const {
+double HaloOptions::sunElevation() const {
   return picture.empty() ? run.load().scene.sun.elevation : sunElevationIn(picture);
 }
 
-HaloSource::Result HaloSource::make(const PhotoCamera& camera, const StopSignal& stop) const {
+HaloOptions::Result HaloOptions::make(const PhotoCamera& camera, const StopSignal& stop) const {
   return picture.empty() ? render(camera, stop) : Result{readHalo(picture, camera), kDone};
 }
 
-HaloSource::Result HaloSource::render(const PhotoCamera& camera, const StopSignal& stop) const {
+HaloOptions::Result HaloOptions::render(const PhotoCamera& camera, const StopSignal& stop) const {
   const SceneLoader load = [this](const std::vector<std::string>& overrides) { return run.load(overrides); };
   const HaloScene scene = haloSceneFor(camera, coarseness, load);
   TraceWatch watch(run, scene.coarse.scene.trace.rays, stop);
-  const Exposure exposure = expose(scene.coarse, cloudOf(scene.coarse.scene), watch.control());
-  const int exit = watch.report(exposure);
-  return {haloOf(exposure, scene, camera, run.threads), exit};
+  const TracedSky traced = traceSky(scene.coarse, cloudOf(scene.coarse.scene), watch.control());
+  const int exit = watch.report(traced);
+  return {haloOf(traced, scene, camera, run.threads), exit};
 }
 
 }  // namespace parhelion::cli

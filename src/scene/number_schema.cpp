@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "scene/range.h"
+#include "scene/number_schema.h"
 
 namespace parhelion {
 

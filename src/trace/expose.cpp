@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "trace/film.h"
+#include "trace/expose.h"
 
 #include <algorithm>
 
@@ -15,14 +15,14 @@ Symmetry symmetryOf(const Cloud& cloud, Symmetry asked) {
   return mirrored ? Symmetry::mirror : Symmetry::none;
 }
 
-std::unique_ptr<PathTally> makeFilm(Tally& tally, const Cloud& cloud, Symmetry symmetry) {
+std::unique_ptr<Film> makeFilm(Tally& tally, const Cloud& cloud, Symmetry symmetry) {
   const Symmetry chosen = symmetryOf(cloud, symmetry);
   if (chosen == Symmetry::radial) return std::make_unique<RadialFilm>(tally, cloud.sun().toCentre());
   return std::make_unique<SkyFilm>(tally, chosen == Symmetry::mirror);
 }
 
-TraceReport exposeTally(Tally& tally, const Cloud& cloud, const TraceSettings& settings, std::uint64_t firstRay,
-                        const TraceControl& control) {
+TraceReport traceTally(Tally& tally, const Cloud& cloud, const TraceSettings& settings, std::uint64_t firstRay,
+                       const TraceControl& control) {
   const auto film = makeFilm(tally, cloud, settings.symmetry);
   TraceReport report = traceRays(cloud, settings, firstRay, *film, control);
   if (report.rays > 0) tally.info.rays = {{report.firstRay, report.rays}};

@@ -29,7 +29,7 @@ std::uint64_t mixed(std::uint64_t before, double next) { return mixed(before ^ s
 
 /// A word for each ray of a monochromatic run that is the same when all its light leaves at the same encounters in the
 /// same directions with the same energies, to the last bit, after the same length of way. Other faces make other words.
-class RayHashes : public PathTally {
+class RayHashes : public Film {
  public:
   explicit RayHashes(std::vector<std::uint64_t>& hashes) : hashes_(hashes) {}
 
@@ -46,8 +46,8 @@ class RayHashes : public PathTally {
     return exits.count;
   }
   // Threads trace different rays, so that all can write to one array.
-  std::unique_ptr<PathTally> forThread() override { return std::make_unique<RayHashes>(hashes_); }
-  void merge(PathTally&) override {}
+  std::unique_ptr<Film> forThread() override { return std::make_unique<RayHashes>(hashes_); }
+  void merge(Film&) override {}
 
  private:
   std::vector<std::uint64_t>& hashes_;
@@ -72,7 +72,8 @@ struct Comparison {
   /// Traces rays of a cloud of one population by both engines, and looks closely at those that come out differently.
   void run(const Cloud& cloud, std::uint64_t count) {
     const auto byEmbree = hashesOf(cloud, Engine::embree, count), byPlanes = hashesOf(cloud, Engine::planes, count);
-    const Engines embree = makeEngines(cloud, Engine::embree), planes = makeEngines(cloud, Engine::planes);
+    const Intersectors embree = makeIntersectors(cloud, Engine::embree),
+                       planes = makeIntersectors(cloud, Engine::planes);
     RaySource source(cloud, {}, 1);
     LightPath a, b;
     a.recordEncounters = b.recordEncounters = true;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render/exposure.h"
+#include "render/traced_sky.h"
 
 #include "trace/engine.h"
-#include "trace/film.h"
+#include "trace/expose.h"
 
 namespace parhelion {
 
@@ -28,10 +28,10 @@ Tally emptyTally(const LoadedScene& loaded, const Cloud& cloud) {
   return Tally(info, cloud.spectrum().colours());
 }
 
-Exposure expose(const LoadedScene& loaded, const Cloud& cloud, const TraceControl& control) {
-  Exposure exposure{{{}, chosenSettings(cloud, loaded.scene.trace)}, emptyTally(loaded, cloud)};
-  exposure.report = exposeTally(exposure.tally, cloud, exposure.settings, 0, control);
-  return exposure;
+TracedSky traceSky(const LoadedScene& loaded, const Cloud& cloud, const TraceControl& control) {
+  TracedSky traced{{{}, chosenSettings(cloud, loaded.scene.trace)}, emptyTally(loaded, cloud)};
+  traced.report = traceTally(traced.tally, cloud, traced.settings, 0, control);
+  return traced;
 }
 
 }  // namespace parhelion

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "trace/intersector.h"
+#include "trace/face_hit.h"
 
 #include <algorithm>
 

@@ -22,7 +22,7 @@ struct TracedScene {
 };
 
 /// A scene traced into the tally of its camera.
-struct Exposure : TracedScene {
+struct TracedSky : TracedScene {
   Tally tally;
 };
 
@@ -33,6 +33,6 @@ Tally emptyTally(const LoadedScene& loaded, const Cloud& cloud);
 /// Traces a scene into the tally of its camera, with all that the tally's info says filled in. `cloud` is the scene's.
 /// Where the control stops the run, the tally is that of the rays traced until then. The same bits for any number of
 /// threads. Throws as traceRays() does.
-Exposure expose(const LoadedScene& loaded, const Cloud& cloud, const TraceControl& control = {});
+TracedSky traceSky(const LoadedScene& loaded, const Cloud& cloud, const TraceControl& control = {});
 
 }  // namespace parhelion
