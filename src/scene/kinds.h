@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "math/names.h"
+#include "scene/number_schema.h"
 #include "scene/scene.h"
 #include "scene/suggest.h"
 #include "scene/value.h"

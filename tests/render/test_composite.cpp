@@ -95,8 +95,8 @@ TEST_CASE("a composite writes all its files with the halo's scene and strength, 
   CHECK(written.text.at(kStrengthKey) == "0.5 0.5 0.5");
   CHECK(written.text.at("Software") == kSoftware);
   CHECK(readSkyMaskOf(photograph, folder / "mask.png") == mask);
-  for (const std::filesystem::path& layer : layerFiles(files.layers)) CHECK(std::filesystem::exists(layer));
-  CHECK(layerFiles({}).empty());
+  for (const std::filesystem::path& layer : editingFiles(files.editingFolder)) CHECK(std::filesystem::exists(layer));
+  CHECK(editingFiles({}).empty());
 
   Photograph larger = greyPhotograph();
   larger.height = 41;
