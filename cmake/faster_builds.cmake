@@ -17,3 +17,10 @@ function(parhelion_rarely_run target)
     target_compile_options(${target} PRIVATE -Wno-array-bounds -Wno-stringop-overflow -Wno-stringop-overread)
   endif()
 endfunction()
+
+# The same for a whole library of such code, whose files are then compiled several at a time: each of them alone would
+# take the compiler through the same templates again.
+function(parhelion_compile_together target)
+  parhelion_rarely_run(${target})
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 9)
+endfunction()

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "math/range.h"
+#include "scene/utf8.h"
 
 namespace parhelion {
 
@@ -19,12 +20,6 @@ constexpr double kMaxExactInteger = 9007199254740992.0;  // 2^53
 
 [[noreturn]] void refuse(std::string_view text, const std::string& reason) {
   throw std::invalid_argument("'" + std::string(text) + "': " + reason);
-}
-
-std::string_view trimmed(std::string_view text) {
-  while (text.starts_with(' ')) text.remove_prefix(1);
-  while (text.ends_with(' ')) text.remove_suffix(1);
-  return text;
 }
 
 std::vector<std::string_view> split(std::string_view text, char separator) {

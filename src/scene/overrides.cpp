@@ -25,12 +25,6 @@ struct Segment {
   toml::source_region source;
 };
 
-std::string_view trimmed(std::string_view text) {
-  while (text.starts_with(' ')) text.remove_prefix(1);
-  while (text.ends_with(' ')) text.remove_suffix(1);
-  return text;
-}
-
 std::string untabbed(std::string text) {
   std::replace(text.begin(), text.end(), '\t', ' ');
   return text;

@@ -48,4 +48,10 @@ std::string printable(std::string_view text, std::size_t maxLength) {
   return result;
 }
 
+std::string_view trimmed(std::string_view text) {
+  while (text.starts_with(' ')) text.remove_prefix(1);
+  while (text.ends_with(' ')) text.remove_suffix(1);
+  return text;
+}
+
 }  // namespace parhelion

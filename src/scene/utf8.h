@@ -22,4 +22,7 @@ std::size_t countCodePoints(std::string_view text);
 /// is longer than `maxLength` code points ends in "…".
 std::string printable(std::string_view text, std::size_t maxLength);
 
+/// `text` without the blanks at its ends.
+std::string_view trimmed(std::string_view text);
+
 }  // namespace parhelion
