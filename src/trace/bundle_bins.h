@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "math/exact_sum.h"
 #include "sky/fixed_point.h"
 
 namespace parhelion {
@@ -34,6 +35,7 @@ class BundleDeposits {
 };
 
 /// For each of any number of bins, two exact sums over bundles: of the light that a bundle brought, and of its square.
+/// One bin may hold all the light of a run, and squares have room for bundles of any size.
 class BundleBins {
  public:
   explicit BundleBins(int bins) : sums_(bins), squares_(bins) {}
@@ -49,7 +51,8 @@ class BundleBins {
   double error(int bin, std::uint64_t bundles) const;
 
  private:
-  std::vector<std::int64_t> sums_, squares_;
+  std::vector<std::int64_t> sums_;
+  std::vector<ExactSum> squares_;  // their units are those of kSquareScale
 };
 
 }  // namespace parhelion

@@ -84,7 +84,14 @@ TEST_CASE("shapes refuse each other's keys") {
   CHECK(wrongPopulation("shape = 'pyramid'\naspect = { normal = [1, 0.1] }") ==
         Lines{"3:10 'aspect' must be a number from 0 to 10000 for a pyramid, not a table"});
   CHECK(wrongPopulation("shape = 'pyramid'\naspect = 0\nupper = 0\nlower = 0") ==
-        Lines{"3:10 a crystal without a prism part and without pyramids is flat"});
+        Lines{"3:10 the crystal is 0 times as long as wide; that must be a number from 0.0001 to 10000"});
+  CHECK(wrongPopulation("shape = 'pyramid'\naspect = 1e-12\nupper = 0\nlower = 0") ==
+        Lines{"3:10 the crystal is 1e-12 times as long as wide; that must be a number from 0.0001 to 10000"});
+  CHECK(wrongPopulation("shape = 'pyramid'\naspect = 0\nupper = 1e-9\nlower = 0").size() == 1);
+  CHECK(wrongPopulation("shape = 'pyramid'\nslope = 1e-3") ==
+        Lines{"3:9 the crystal is 24810.9827848 times as long as wide; that must be a number from 0.0001 to 10000"});
+  CHECK(wrongPopulation("shape = 'pyramid'\nslope = 1e-300").size() == 1);
+  CHECK(wrongPopulation("shape = 'pyramid'\naspect = 1e4").size() == 1);
   CHECK(wrongPopulation("aspect = 0").size() == 1);
 }
 
