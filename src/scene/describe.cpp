@@ -29,7 +29,7 @@ std::string describe(const Distribution& distribution, Show show) {
 
 /// The same for an azimuth or a roll, which may take every value.
 std::string describeTurn(const AngleDistribution& turn) {
-  return uniformWidth(turn).value_or(0.0) >= 2.0 * kPi ? "free" : describe(turn, inDegrees);
+  return isFree(turn, 2.0 * kPi) ? "free" : describe(turn, inDegrees);
 }
 
 std::string describe(const OrientationSettings& orientation) {

@@ -70,8 +70,8 @@ void visitKeys(Visitor& v, PopulationKeys& p) {
       "roll about it.");
   v.key(
       "tilt", kinds::Optional{kinds::Spread{}}, p.tilt,
-      "Spread of the axis about its rest, degrees: a number is the sigma of a normal density per solid angle. Exactly "
-      "at rest when left out.");
+      "Spread of the axis about its rest, degrees: a number is the sigma of a normal density per solid angle. An axis "
+      "that is tilted past a pole comes down on the other side. Exactly at rest when left out.");
   v.key(
       "roll", kinds::Optional{kinds::Spread{}}, p.roll,
       "Spread of the rotation about the c axis (lowitz: about its horizontal axis), degrees. Left out: none for parry, "
@@ -87,8 +87,10 @@ struct AxisKeys {
 
 template <class Visitor>
 void visitKeys(Visitor& v, AxisKeys& axis) {
-  v.key("zenith", kinds::Optional{kinds::AngleValue{kinds::AngleValue::Of::zenith}}, axis.zenith,
-        "Zenith angle of the c axis, degrees.");
+  v.key(
+      "zenith", kinds::Optional{kinds::AngleValue{kinds::AngleValue::Of::zenith}}, axis.zenith,
+      "Zenith angle of the c axis, degrees. Of a distribution, what lies beyond 0 or 180 comes down on the other side "
+      "of the pole, at an azimuth 180 degrees further: { uniform = [-5, 10] }.");
   v.key("azimuth", kinds::AngleValue{kinds::AngleValue::Of::turn}, axis.azimuth,
         "Azimuth of the c axis from the sun, degrees.");
   v.key("roll", kinds::AngleValue{kinds::AngleValue::Of::turn}, axis.roll, "Rotation about the c axis, degrees.");

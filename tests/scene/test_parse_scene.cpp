@@ -50,6 +50,16 @@ TEST_CASE("the documented scene gives the settings it describes") {
   CHECK(std::get<Normal>(inFull.roll).sigma == radians(5.0));
 }
 
+TEST_CASE("a range of zenith angles may begin and end beyond a pole") {
+  const auto zenith = [](const std::string& range) {
+    return std::get<UniformRange>(
+        axisOf(populationWith("orientation = { zenith = { uniform = " + range + " } }")).zenith);
+  };
+  CHECK(zenith("[-5, 10]").from == radians(-5.0));
+  CHECK(zenith("[-5, 10]").to == radians(10.0));
+  CHECK(zenith("[170, 185]").to == radians(185.0));
+}
+
 TEST_CASE("what a scene leaves out has the defaults of the settings") {
   const Scene scene = sceneOf(kPopulation);
   CHECK(scene.sun.elevation == SunSettings{}.elevation);

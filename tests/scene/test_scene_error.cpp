@@ -102,6 +102,10 @@ TEST_CASE("tilt and roll need an orientation that has a rest") {
   CHECK(wrongPopulation("orientation = { azimuth = 3 }") ==
         Lines{"2:15 an orientation in full needs 'zenith', the c axis' zenith angle"});
   CHECK(wrongPopulation("orientation = { zenith = 200 }").size() == 1);
+  CHECK(wrongPopulation("orientation = { zenith = { normal = [-5, 1] } }") ==
+        Lines{"2:39 'mean' must be a number from 0 to 180, not -5"});
+  CHECK(wrongPopulation("orientation = { zenith = { uniform = [-200, 10] } }") ==
+        Lines{"2:40 'from' must be a number from -180 to 360, not -200"});
 }
 
 TEST_CASE("populations are a list of at least one, with different names and some weight") {
