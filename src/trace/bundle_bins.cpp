@@ -25,4 +25,11 @@ double BundleBins::error(int bin, std::uint64_t bundles) const {
   return bundles > 0 ? std::sqrt(std::max(0.0, squares - sum * sum / static_cast<double>(bundles))) : 0.0;
 }
 
+double BundleBins::shareError(int bin, std::uint64_t bundles, double all) const {
+  if (bundles == 0) return 0.0;
+  constexpr double kRuleOfThree = 3.0;
+  if (sums_[bin] == 0) return std::min(1.0, kRuleOfThree / static_cast<double>(bundles));
+  return error(bin, bundles) / all;
+}
+
 }  // namespace parhelion
