@@ -22,14 +22,14 @@ PathStatistics pathStatistics(const Cloud& cloud, const TraceSettings& settings)
   RaySource source(cloud, settings, 256);
   const Intersectors engines = makeIntersectors(cloud, settings.engine);
   LightPath path;
-  double sum = 0.0, squares = 0.0;
+  double sum = 0.0, squares = 0.0, light = 0.0;
   for (std::uint64_t ray = 0; ray < settings.rays; ++ray) {
     followRay(source, engines, settings, ray, path);
     sum += path.internalPath;
     squares += path.internalPath * path.internalPath;
+    light += path.incident.weight;
   }
-  const double rays = static_cast<double>(settings.rays);
-  return {sum / rays, std::sqrt(squares - sum * sum / rays) / rays};
+  return {sum / light, std::sqrt(squares - sum * sum / static_cast<double>(settings.rays)) / light};
 }
 
 }  // namespace
