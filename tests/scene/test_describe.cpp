@@ -43,6 +43,16 @@ TEST_CASE("a summary tells spreads through a pole by their signed angles, and a 
   CHECK(told("{ zenith = 10, azimuth = { uniform = [-40, 350] } }").find("azimuth -40° to 350°") != std::string::npos);
 }
 
+TEST_CASE("a summary tells illuminants, black bodies and weighted lines") {
+  const auto told = [](const std::string& spectrum) {
+    return describeScene(sceneOf("sun.spectrum = " + spectrum + "\n[[population]]"));
+  };
+  CHECK(told("'D65'").find("spectrum D65") != std::string::npos);
+  CHECK(told("{ blackbody = 3000 }").find("black body of 3000 K") != std::string::npos);
+  CHECK(told("{ wavelengths = [450, 650], weights = [1, 2.5] }").find("450, 650 nm weighted 1, 2.5") !=
+        std::string::npos);
+}
+
 TEST_CASE("enumerations have the names that scene files use") {
   CHECK(nameOf(Engine::embreeRobust) == "embree-robust");
   CHECK(nameOf(PathMode::split) == "split");

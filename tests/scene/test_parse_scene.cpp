@@ -76,6 +76,14 @@ TEST_CASE("the spectrum is a name, a wavelength or a list of wavelengths, intege
   CHECK(std::get<ContinuousSpectrum>(sceneWith("sun.spectrum = 'sun-am1.5'").sun.spectrum).source ==
         ContinuousSpectrum::Source::airMass1_5);
   CHECK(std::get<MonochromaticSpectrum>(sceneWith("sun.spectrum = 550").sun.spectrum).wavelength == 550.0);
+  CHECK(std::get<ContinuousSpectrum>(sceneWith("sun.spectrum = 'D65'").sun.spectrum).source ==
+        ContinuousSpectrum::Source::d65);
+  CHECK(std::get<BlackBody>(sceneWith("sun.spectrum = { blackbody = 3000 }").sun.spectrum).temperature == 3000.0);
+  const auto weighted = std::get<LineSpectrum>(
+      sceneWith("sun.spectrum = { wavelengths = [450, 550.5], weights = [1, 2.5] }").sun.spectrum);
+  CHECK(weighted.wavelengths == std::vector<double>{450.0, 550.5});
+  CHECK(weighted.weights == std::vector<double>{1.0, 2.5});
+  CHECK(std::get<LineSpectrum>(sceneWith("sun.spectrum = { wavelengths = [450] }").sun.spectrum).weights.empty());
   const Scene lines = sceneWith("sun.spectrum = [450, 550.5]");
   CHECK(std::get<LineSpectrum>(lines.sun.spectrum).wavelengths == std::vector<double>{450.0, 550.5});
 }

@@ -62,6 +62,17 @@ TEST_CASE("wavelengths are visible and listed once") {
         Lines{"2:18 'spectrum' must be a list of wavelengths from 360 to 830 nm here, not 900"});
   CHECK(wrong("[sun]\nspectrum = [450, 550, 450.0]") == Lines{"2:23 the wavelength 450 nm is listed twice"});
   CHECK(wrong("[sun]\nspectrum = []").size() == 1);
+  CHECK(wrong("[sun]\nspectrum = {}") == Lines{"2:12 a spectrum's table needs 'wavelengths' or 'blackbody'"});
+  CHECK(wrong("[sun]\nspectrum = { wavelengths = [450, 550], weights = [1] }") ==
+        Lines{"2:53 1 'weights' for 2 'wavelengths'; each needs one"});
+  CHECK(wrong("[sun]\nspectrum = { wavelengths = [450, 550], weights = [1, 0] }") ==
+        Lines{"2:57 'weights' must be a list of numbers above 0 and at most 1000000000 here, not 0"});
+  CHECK(wrong("[sun]\nspectrum = { weights = [1] }").size() == 1);
+  CHECK(wrong("[sun]\nspectrum = { wavelengths = [450], blackbody = 3000 }") ==
+        Lines{"2:28 a black body has no 'wavelengths'"});
+  CHECK(wrong("[sun]\nspectrum = { blackbody = 20 }") ==
+        Lines{"2:26 'blackbody' must be a number from 500 to 1000000, not 20"});
+  CHECK(wrong("[sun]\nspectrum = { blackbdy = 3000 }").size() == 2);
   CHECK(wrong("[sun]\nspectrum = 100").size() == 1);
 }
 
