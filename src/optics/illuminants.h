@@ -8,11 +8,11 @@ namespace parhelion {
 /// A black body of `temperature` (kelvin). Planck's law.
 double blackBody(double temperature, double wavelength);
 
-/// CIE standard illuminant A, an incandescent lamp. CIE 015:2018, section 4.1.1.
+/// CIE standard illuminant A, an incandescent lamp. ISO/CIE 11664-2.
 double illuminantA(double wavelength);
 
 /// Daylight of a correlated colour temperature from 4000 to 25000 kelvin, on today's scale of temperatures; 360-830 nm.
-/// CIE 015:2018, section 4.1.2.
+/// CIE 015:2018.
 class Daylight {
  public:
   explicit Daylight(double temperature);

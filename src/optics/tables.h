@@ -25,7 +25,7 @@ inline constexpr int kDaylightStep = 10;  // nm
 inline constexpr int kDaylightNodes = (kVisibleLast - kVisibleFirst) / kDaylightStep + 1;
 
 /// Components S0, S1, S2 of daylight from 360 to 830 nm: the mean of measured spectra and the two that change it most.
-/// CIE 015:2018, table 6; Judd, MacAdam & Wyszecki 1964, J. Opt. Soc. Am. 54, 1031.
+/// CIE 015:2018; Judd, MacAdam & Wyszecki 1964, J. Opt. Soc. Am. 54, 1031.
 extern const std::array<Vec3, kDaylightNodes> kDaylight;
 
 struct IceNode {

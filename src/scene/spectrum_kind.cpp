@@ -20,6 +20,7 @@ Json listSchema(const Range& range) { return {{"type", "array"}, {"items", numbe
 /// What was likely meant by a string that names no spectrum. Illuminants have short names, which people write in many
 /// ways: "illuminant a", "CIE-D65".
 std::string likelySpectrum(const std::string& text) {
+  if (text.empty()) return "";
   std::string word = text.substr(text.find_last_of(" -_") + 1);
   if (!word.empty()) word[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(word[0])));
   for (const std::string_view name : kNamesOf<Source>)
@@ -52,8 +53,7 @@ bool readTable(const Value& in, const toml::table& table, SpectrumSettings& out)
   TableReader reader(table, "the spectrum", in.complaints);
   SpectrumKeys keys;
   visitKeys(reader, keys);
-  reader.rejectUnknown();
-  if (!checkKeys(in, reader, keys)) return false;
+  if (!reader.rejectUnknown() || !checkKeys(in, reader, keys)) return false;
   if (keys.blackbody)
     out = BlackBody{*keys.blackbody};
   else

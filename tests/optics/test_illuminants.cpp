@@ -36,7 +36,7 @@ Vec2 krystek(double t) {
 }  // namespace
 
 TEST_CASE("illuminants have the chromaticities that the CIE publishes") {
-  // CIE 015:2018, tables 3 and 6, 2-degree observer. They rest on steps of 5 nm, and those of D on a locus that misses
+  // CIE 015:2018, 2-degree observer. They rest on steps of 5 nm, and those of D on a locus that misses
   // the weights' own chromaticity by 1e-4.
   const std::map<Source, Vec2> published = {{Source::a, {0.44758, 0.40745}},   {Source::d50, {0.34567, 0.35851}},
                                             {Source::d55, {0.33243, 0.34744}}, {Source::d65, {0.31272, 0.32903}},
