@@ -63,9 +63,8 @@ void ScatterProfile::addExit(const TracedRays& traced, int exit) {
 
 /// Where the light that leaves at an internal encounter is added up.
 ExactSum& ScatterProfile::orderSum(std::size_t order) {
-  if (order >= kOrders) return byOrderRest_;
-  if (order >= byOrder_.size()) byOrder_.resize(order + 1);
-  return byOrder_[order];
+  if (order >= byOrder_.size()) byOrder_.resize(std::min(order + 1, kOrders));
+  return order < kOrders ? byOrder_[order] : byOrderRest_;
 }
 
 void ScatterProfile::addRay(const TracedRays& traced, int member, int place) {

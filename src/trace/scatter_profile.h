@@ -14,7 +14,7 @@ namespace parhelion {
 class ScatterProfile : public Film {
  public:
   /// Encounters whose light is told one by one. Plates and columns hold a little light for some thousand more.
-  static constexpr int kOrders = 32;
+  static constexpr std::size_t kOrders = 32;
 
   /// `bins` equal bins over [from, to] (rad, within [0, pi]); light outside them counts for the summary only.
   ScatterProfile(int bins, double from, double to);
