@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "parallel/threads.h"
+#include "picture/auto_exposure.h"
 #include "picture/png.h"
 #include "render/scene_attributes.h"
 #include "sky/camera.h"
