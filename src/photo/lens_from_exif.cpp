@@ -132,11 +132,12 @@ std::optional<Sides> sizeInExif(const Told& told) {
   refuse(words);
 }
 
-/// Throws if the picture is not the whole of what the camera took.
+/// Throws if the picture is not the whole of what the camera took. What the camera itself noted counts first: there are
+/// files in which Exif's size is that of the thumbnail.
 void requireWhole(const Told& told) {
   std::vector<Sides> sizes;
-  if (const auto size = sizeInExif(told)) sizes.push_back(*size);
   for (const PictureSize& size : told.exif.sizesTaken) sizes.emplace_back(size.width, size.height);
+  if (const auto size = sizeInExif(told); size && sizes.empty()) sizes.push_back(*size);
   for (const Sides& size : sizes) {
     if (size.isWholeIn(told.picture())) continue;
     std::optional<double> focal;

@@ -38,7 +38,7 @@ TEST_CASE("a 35 mm equivalent of 0 in EXIF is unknown") {
   CHECK_MESSAGE(without.err.find("does not say how wide") != std::string::npos, without.err);
   const Outcome with = run(folder, command + " --focal-35mm 24");
   CHECK(with.exit == 0);
-  CHECK_MESSAGE(with.err.find("73.3 degrees from left to right, 24 mm on 35 mm film") != std::string::npos, with.err);
+  CHECK_MESSAGE(with.err.find("73.7 degrees from left to right, 24 mm on 35 mm film") != std::string::npos, with.err);
 }
 
 TEST_CASE("a composite that lacks something says which options give it") {

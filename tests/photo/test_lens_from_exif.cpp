@@ -100,6 +100,8 @@ TEST_CASE("a picture that was cropped since has no focal length from Exif") {
                          "and its field of view is not Exif's; if no more was cut off than its shape asks, it is 52.5 "
                          "mm on 35 mm film, 39.6 degrees from left to right unless a fisheye's",
                          std::invalid_argument);
+    exif.sizesTaken = {{3600, 2000}};
+    CHECK_NOTHROW(lensFromExif(exif, 3600, 2000));
     exif.sizesTaken = {{4000, 2000}};
     CHECK(contains(refusal(exif), "Exif tells of 4000 x 2000 pixels"));
   }
