@@ -81,6 +81,9 @@ TEST_CASE("every parhelion command in the documentation runs") {
   std::filesystem::create_directory_symlink(kSource / "scenes", folder / "scenes");
   // What the documentation calls photo.jpg, with the focal length of a moderate wide angle.
   writeJpegWithExif(folder / "photo.jpg", landscape<std::uint8_t>(600, 400, 0.8), 1, 24);
+  // The photograph that scripts/fetch-pictures brings.
+  std::filesystem::create_directories(folder / "out/pictures");
+  writePhotograph(folder / "out/pictures/evening.jpg", landscape<std::uint8_t>(2560, 1600, 0.35), {});
   int commands = 0;
   for (const auto& document : documents())
     for (const std::string& block : blocks(document, "sh")) {
