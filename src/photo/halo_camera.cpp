@@ -9,7 +9,7 @@
 namespace parhelion {
 
 CameraSettings haloCamera(const CameraSettings& photo, int coarseness) {
-  if (photo.projection == Projection::equirectangular) {
+  if (isPanorama(photo.projection)) {
     while (photo.width % coarseness != 0 || photo.height % coarseness != 0) --coarseness;
   }
   CameraSettings camera = photo;

@@ -7,6 +7,8 @@
 
 #include <glm/common.hpp>
 
+#include "sky/full_turn.h"
+
 namespace parhelion {
 namespace {
 
@@ -34,8 +36,7 @@ HaloLookup::HaloLookup(const Image& halo, const CameraSettings& haloCamera, cons
       finer_(haloCamera_.focalLength() > (1.0 + kSameSize) * squares_ * photoCamera_.focalLength()),
       sameLens_(sameButForScale(haloCamera, photoCamera)),
       // A panorama whose width is no multiple of the squares ends in narrower ones, which are no whole neighbours.
-      wraps_(haloCamera.projection == Projection::equirectangular &&
-             haloCamera_.focalLength() * 2.0 * kPi < halo.width + 0.5) {
+      wraps_(isFullTurn(haloCamera)) {
   if (halo.width != haloCamera.width || halo.height != haloCamera.height)
     throw std::invalid_argument("the halo's picture does not have its camera's size");
   if (wraps_) {

@@ -35,7 +35,7 @@ CameraSettings lensWithoutField(const Photograph& photograph, const LensClues& c
 
 /// Whether the picture's own horizon is known: a panorama's is its middle row.
 bool hasOwnHorizon(const CameraSettings& lens, const PointingClues& clues) {
-  return lens.projection == Projection::equirectangular && clues.known.empty();
+  return isPanorama(lens.projection) && clues.known.empty();
 }
 
 /// What is to be taken for the sun's elevation before the camera is pointed; none: it is to be measured. What the
@@ -89,7 +89,7 @@ std::optional<PhotoLens> findLens(const Photograph& photograph, const LensClues&
     lens.camera.fieldOfView = clues.fieldOfView->angle;
     return lens;
   }
-  if (lens.camera.projection == Projection::equirectangular) {  // a whole sphere says it all
+  if (isPanorama(lens.camera.projection)) {  // a whole sphere says it all
     lens.camera.fieldOfView = 2.0 * kPi;
     return lens;
   }

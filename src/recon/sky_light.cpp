@@ -6,10 +6,10 @@
 
 #include "parallel/loops.h"
 #include "picture/colour_space.h"
-#include "recon/full_turn.h"
 #include "recon/integral_image.h"
 #include "recon/kernel_variance.h"
 #include "sky/camera.h"
+#include "sky/full_turn.h"
 #include "sky/radiance.h"
 
 namespace parhelion {

@@ -9,4 +9,8 @@ bool isFisheye(Projection projection) {
   return visitProjection(projection, [](auto p) { return p.isFisheye; });
 }
 
+bool isPanorama(Projection projection) {
+  return visitProjection(projection, [](auto p) { return p.isPanorama; });
+}
+
 }  // namespace parhelion

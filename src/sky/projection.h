@@ -38,4 +38,7 @@ constexpr std::string_view nameOf(Projection projection) {
 /// Whether the projection has an image circle.
 bool isFisheye(Projection projection);
 
+/// Whether the picture is a map of longitude and latitude, which closes upon itself after a full turn.
+bool isPanorama(Projection projection);
+
 }  // namespace parhelion

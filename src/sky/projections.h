@@ -8,6 +8,7 @@
 // Each struct has
 //   isFisheye             whether it has an image circle
 //   isAzimuthal           whether the picture is alike all around the optical axis; only then may a lens distort it
+//   isPanorama            whether x is longitude and y latitude of the camera's frame, so that a whole turn closes
 //   fieldOfView           degrees that a picture can show along its width or diagonal
 //   verticalFieldOfView   and along its height
 //   hasDiagonal           whether a field of view along the diagonal makes sense

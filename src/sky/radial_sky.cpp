@@ -12,7 +12,7 @@ namespace {
 /// The smallest step of a pixel along a radius of the picture, as a chord on the unit sphere.
 double smallestPixel(const Camera& camera) {
   // A panorama's pixels are as high everywhere; that they get narrow near its poles needs no finer rings.
-  if (camera.settings().projection == Projection::equirectangular) return 1.0 / camera.focalLength();
+  if (isPanorama(camera.settings().projection)) return 1.0 / camera.focalLength();
   const SkyBorder border(camera);
   const Vec2 centre{0.5 * camera.width(), 0.5 * camera.height()};
   double smallest = 1.0 / camera.focalLength();
