@@ -114,8 +114,22 @@ LensClues PhotoOptions::lensClues(const std::string& path) const {
   return clues;
 }
 
+/// A picture of hemispheres leaves nothing to be said of its lens.
+void requireHemispheres(const Photograph& photograph, const std::string& path, const LensClues& clues) {
+  const std::string name(nameOf(clues.projection));
+  if (isMirrored(clues.projection)) refuse(path, "no photograph shows the sky from outside, as a " + name + " does");
+  if (clues.fieldOfView || clues.focal35mm || clues.imageCircle || !clues.distortion.none())
+    refuse(path, "a " + name +
+                     " always shows two whole hemispheres; leave out field of view, focal length, image circle and "
+                     "distortion");
+  if (photograph.width % 2 != 0)
+    refuse(path, "it is " + std::to_string(photograph.width) +
+                     " pixels wide; two hemispheres side by side need an even width");
+}
+
 PhotoLens PhotoOptions::lens(const Photograph& photograph, const std::string& path) const {
   const LensClues clues = lensClues(path);
+  if (showsHemispheres(clues.projection)) requireHemispheres(photograph, path, clues);
   try {
     if (const std::optional<PhotoLens> found = findLens(photograph, clues)) return *found;
   } catch (const std::invalid_argument& problem) {

@@ -84,6 +84,7 @@ void measureSun(PhotoCamera& found, Vec2 sun) {
 
 std::optional<PhotoLens> findLens(const Photograph& photograph, const LensClues& clues) {
   PhotoLens lens{lensWithoutField(photograph, clues), {}};
+  if (showsHemispheres(clues.projection)) return lens;
   if (clues.fieldOfView) {
     lens.camera.fieldOfViewAxis = clues.fieldOfView->axis;
     lens.camera.fieldOfView = clues.fieldOfView->angle;

@@ -18,7 +18,17 @@ void checkAngle(TableReader& reader, std::string_view key, double angle, const R
                          "\" must be " + range.text() + " degrees, not " + formatNumber(inDegrees));
 }
 
+/// "a globe always shows one whole hemisphere"
+std::string hemispheresText(Projection projection) {
+  return std::string("a ").append(nameOf(projection)) + " always shows " +
+         (discs(projection) == 1 ? "one whole hemisphere" : "two whole hemispheres");
+}
+
 void checkFieldOfView(TableReader& reader, const FieldOfViewKey& key, double angle, Projection projection) {
+  if (showsHemispheres(projection)) {
+    reader.reject(key.name, hemispheresText(projection) + "; it has no field of view to choose", "leave it out");
+    return;
+  }
   visitProjection(projection, [&](auto facts) {
     if (!facts.hasDiagonal && key.axis == FieldOfViewAxis::diagonal) {
       reader.reject(key.name, std::string("an ").append(nameOf(projection)) + " image has no diagonal field of view",
@@ -51,12 +61,21 @@ void checkDistortion(TableReader& reader, const CameraSettings& camera) {
 void checkImageCircle(TableReader& reader, const CameraSettings& camera) {
   if (camera.imageCircle == 0.0) return;
   visitProjection(camera.projection, [&](auto facts) {
-    if (facts.isFisheye) {
+    if (facts.showsHemispheres) {
+      reader.reject("image_circle", hemispheresText(camera.projection) + "; it has no image circle to choose");
+    } else if (facts.isFisheye) {
       checkAngle(reader, "image_circle", camera.imageCircle, facts.fieldOfView, camera.projection);
     } else {
       reader.reject("image_circle", "only fisheye lenses have an image circle");
     }
   });
+}
+
+/// Two hemispheres side by side have halves of the same width.
+void checkResolution(TableReader& reader, const CameraSettings& camera) {
+  if (camera.width % discs(camera.projection) == 0) return;
+  reader.reject("resolution", hemispheresText(camera.projection) + " side by side: its width must be even, not " +
+                                  std::to_string(camera.width));
 }
 
 void applyFieldOfView(TableReader& reader, const CameraKeys& keys, CameraSettings& camera) {
@@ -106,6 +125,7 @@ bool kinds::CameraTable::read(const Value& in, CameraSettings& out) const {
   if (reader.rejected("projection")) return false;  // what else is wrong would depend on it
   applyFieldOfView(reader, keys, out);
   checkImageCircle(reader, out);
+  checkResolution(reader, out);
   if (!reader.rejected("distortion")) checkDistortion(reader, out);
   return true;
 }

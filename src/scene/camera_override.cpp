@@ -38,6 +38,7 @@ class OverrideWriter {
     entry(key.name, "[" + list + "]");
   }
   void fieldOfView(const FieldOfViewAttributes&, InDegrees unit) {
+    if (showsHemispheres(camera_.projection)) return;
     entry(keyOf(camera_.fieldOfViewAxis).name, digits(unit.shown(camera_.fieldOfView)));
   }
   void resolution(const CameraKey& key) {

@@ -128,6 +128,7 @@ class CameraDescription {
   void number(const CameraKey& key, InDegrees, double CameraSettings::*member) { add(key, inDegrees(camera_.*member)); }
   void number(const CameraKey& key, Unitless, double CameraSettings::*member) { add(key, plain(camera_.*member)); }
   void fieldOfView(const FieldOfViewAttributes&, InDegrees) {
+    if (showsHemispheres(camera_.projection)) return;
     text_.append("; ").append(inDegrees(camera_.fieldOfView)).append(" ");
     text_ += keyOf(camera_.fieldOfViewAxis).axisName;
   }

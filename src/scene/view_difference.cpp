@@ -49,7 +49,7 @@ class CameraComparison {
     if (sameProjection_ && !(one_.*member == other_.*member)) lens_.push_back(cameraKey(key));
   }
   void fieldOfView(const FieldOfViewAttributes&, InDegrees) {
-    if (!sameProjection_) return;
+    if (!sameProjection_ || showsHemispheres(one_.projection)) return;
     const double focal = Camera(one_).focalLength() / one_.width;
     const double otherFocal = Camera(other_).focalLength() / other_.width;
     if (std::abs(focal - otherFocal) > kSameFocal * focal) lens_.emplace_back("the camera's field of view");

@@ -18,6 +18,8 @@ namespace {
 // Cosines of unit vectors are off by a few 1e-16; light on the image circle is to count as inside.
 constexpr double kCosineSlack = 1e-14;
 
+constexpr double kSameAngle = 1e-12;  // rad; more than rounding from degrees
+
 /// Degrees that a projection can show.
 Range widest(Projection projection) {
   return visitProjection(projection, [](auto facts) { return facts.fieldOfView; });
@@ -45,12 +47,15 @@ CameraSettings validated(const CameraSettings& s) {
   require(static_cast<long long>(s.width) * s.height <= kMaxImagePixels, "a picture has at most 2^28 pixels");
   require(s.fieldOfView > 0.0 && withinLimit(s.projection, s.fieldOfView),
           "the field of view must be positive and within what the projection can show");
-  require(s.imageCircle == 0.0 || isFisheye(s.projection), "only a fisheye has an image circle");
+  const bool isFixed = showsHemispheres(s.projection);
+  require(!isFixed || std::abs(s.fieldOfView - kPi) < kSameAngle, "a picture of hemispheres shows 180 degrees of each");
+  require(s.width % discs(s.projection) == 0, "two hemispheres side by side need an even width");
+  require(s.imageCircle == 0.0 || (isFisheye(s.projection) && !isFixed), "only a fisheye has an image circle");
   require(s.imageCircle >= 0.0 && withinLimit(s.projection, s.imageCircle),
           "the image circle must be within what the projection can show");
   const Distortion& d = s.distortion;
   require(std::isfinite(d.k1) && std::isfinite(d.k2) && std::isfinite(d.k3), "distortion must be finite");
-  require(d.none() || isAzimuthal(s.projection), "only lenses have distortion");
+  require(d.none() || (isAzimuthal(s.projection) && !isFixed), "only single lenses have distortion");
   return s;
 }
 
@@ -60,6 +65,7 @@ double radiusAt(Projection projection, double angle) {
 }
 
 double extentPixels(const CameraSettings& s) {
+  if (showsHemispheres(s.projection)) return std::min(s.width / discs(s.projection), s.height);
   const double width = s.width, height = s.height;
   switch (s.fieldOfViewAxis) {
     case FieldOfViewAxis::horizontal:
@@ -70,6 +76,12 @@ double extentPixels(const CameraSettings& s) {
       return std::sqrt(width * width + height * height);
   }
   throw std::invalid_argument("camera: no such axis of the field of view");
+}
+
+/// A direction after half a turn about a unit axis.
+std::optional<Vec3> halfATurn(const std::optional<Vec3>& direction, const Vec3& axis) {
+  if (!direction) return std::nullopt;
+  return 2.0 * glm::dot(*direction, axis) * axis - *direction;
 }
 
 /// Angle of the image circle from the axis.
@@ -84,7 +96,8 @@ double maxAngle(const CameraSettings& s) {
 Camera::Camera(const CameraSettings& settings)
     : settings_(validated(settings)),
       forward_(skyDirection(settings.azimuth, settings.elevation)),
-      centre_(0.5 * settings.width, 0.5 * settings.height),
+      centre_(0.5 * settings.width / discs(settings.projection), 0.5 * settings.height),
+      discStep_(discs(settings.projection) > 1 ? 0.5 * settings.width : 0.0),
       focal_(0.5 * extentPixels(settings) / radiusAt(settings.projection, 0.5 * settings.fieldOfView)),
       idealRadius_(std::numeric_limits<double>::infinity()),
       circleRadius_(std::numeric_limits<double>::infinity()),
@@ -93,9 +106,10 @@ Camera::Camera(const CameraSettings& settings)
   const auto [sinAz, cosAz] = portable::sincos(settings.azimuth);
   const auto [sinEl, cosEl] = portable::sincos(settings.elevation);
   const Vec3 up{-sinEl * cosAz, sinEl * sinAz, cosEl};
-  const Vec3 right = glm::cross(forward_, up);
+  const Vec3 observersRight = glm::cross(forward_, up);
+  const Vec3 right = isMirrored(settings.projection) ? -observersRight : observersRight;
 
-  // A camera turned clockwise has its top turned toward the observer's right.
+  // A camera turned clockwise has its top turned toward the picture's right.
   const auto [sinRoll, cosRoll] = portable::sincos(settings.roll);
   up_ = cosRoll * up + sinRoll * right;
   right_ = cosRoll * right - sinRoll * up;
@@ -123,7 +137,7 @@ void Camera::limitDistortion() {
 
 bool Camera::isMirrorSymmetric() const {
   const double turns = settings_.azimuth / kPi;
-  return turns == std::floor(turns) && settings_.roll == 0.0;
+  return turns == std::floor(turns) && settings_.roll == 0.0 && discStep_ == 0.0;
 }
 
 Lens Camera::lens() const {
@@ -136,6 +150,7 @@ Lens Camera::lens() const {
           triple(forward_),
           centre_.x,
           centre_.y,
+          discStep_,
           focal_,
           minCosine_,
           settings_.distortion};
@@ -165,8 +180,13 @@ std::optional<Vec3> Camera::toSky(Vec2 pixel) const {
 }
 
 std::optional<Vec3> Camera::directionAt(Vec2 pixel) const {
-  const Vec2 place{(pixel.x - centre_.x) / focal_, (centre_.y - pixel.y) / focal_};
+  const bool isBack = discStep_ > 0.0 && pixel.x >= discStep_;
+  const double x = isBack ? pixel.x - discStep_ : pixel.x;
+  const Vec2 place{(x - centre_.x) / focal_, (centre_.y - pixel.y) / focal_};
   return visitProjection(settings_.projection, [&](auto facts) -> std::optional<Vec3> {
+    if constexpr (facts.discs > 1) {
+      if (isBack) return halfATurn(azimuthalDirection(facts, place), up_);
+    }
     if constexpr (facts.isAzimuthal) {
       return azimuthalDirection(facts, place);
     } else {

@@ -14,7 +14,8 @@ struct Lens;
 /// Where in the picture a point of the sky appears. The field of view and the focal length are those of the ideal lens,
 /// which a distortion does not change near the axis. Pixel coordinates: x to the right, y down, pixel (i, j) covers [i,
 /// i + 1) x [j, j + 1). At roll 0 the picture's up is the direction of growing elevation, at the zenith its limit: the
-/// sun's azimuth is at the bottom. The observer's right is at the picture's right, always.
+/// sun's azimuth is at the bottom. The observer's right is at the picture's right, but for a globe, which is seen from
+/// outside.
 class Camera {
  public:
   /// Throws std::invalid_argument for settings out of range.
@@ -23,6 +24,9 @@ class Camera {
   const CameraSettings& settings() const { return settings_; }
   int width() const { return settings_.width; }
   int height() const { return settings_.height; }
+
+  /// Where the left of two discs ends and the right one begins, in pixels; 0 in a picture of one.
+  double seam() const { return discStep_; }
 
   /// Pixels per radian along the optical axis (equirectangular: of longitude and latitude).
   double focalLength() const { return focal_; }
@@ -71,7 +75,8 @@ class Camera {
 
   CameraSettings settings_;
   Vec3 right_, up_, forward_;  // world, orthonormal
-  Vec2 centre_;                // pixels
+  Vec2 centre_;                // pixels; of the left one of two discs
+  double discStep_;            // from the left disc to the right one, pixels; 0 where there is one
   double focal_;               // pixels
   double idealRadius_;         // of what an ideal lens would show, focal lengths; infinite without an end
   double circleRadius_;        // the same where the lens shows it: of the image circle

@@ -54,7 +54,7 @@ struct FieldOfViewKey {
 inline constexpr auto kFieldOfViewKeys = std::to_array<FieldOfViewKey>({
     {"fov_horizontal", "horizontal", FieldOfViewAxis::horizontal,
      "Field of view from left to right, degrees; one fov_… at most. Left out: 180 for a fisheye, 360 for "
-     "equirectangular, 60 for rectilinear."},
+     "equirectangular, 60 for rectilinear. Dual fisheyes and a globe always show whole hemispheres."},
     {"fov_vertical", "vertical", FieldOfViewAxis::vertical, "Field of view from bottom to top, degrees."},
     {"fov_diagonal", "diagonal", FieldOfViewAxis::diagonal, "Field of view from corner to corner, degrees."},
 });
@@ -74,7 +74,7 @@ void visitCameraKeys(Visitor& v) {
   v.number(CameraKey{"azimuth", "azimuth", "Azimuth of the optical axis from the sun, degrees."},
            InDegrees{{-360, 360}}, &CameraSettings::azimuth);
   v.number(CameraKey{"elevation", "elevation",
-                     "Elevation of the optical axis, degrees. Left out: 90 for a fisheye, 0 for the others."},
+                     "Elevation of the optical axis, degrees. Left out: 90 for a fisheye or two, 0 for the others."},
            InDegrees{{-90, 90}}, &CameraSettings::elevation);
   v.number(CameraKey{"roll", "roll", "Clockwise turn of the camera as its user sees it, degrees."},
            InDegrees{{-360, 360}}, &CameraSettings::roll);
@@ -91,7 +91,8 @@ void visitCameraKeys(Visitor& v) {
       std::to_array<NumberPart<Distortion>>(
           {{"k1", &Distortion::k1}, {"k2", &Distortion::k2}, {"k3", &Distortion::k3}}));
   v.resolution(CameraKey{"resolution", "",
-                         "[width, height] in pixels. Left out: [1024, 1024], [2048, 1024] for equirectangular."});
+                         "[width, height] in pixels. Left out: [1024, 1024], [2048, 1024] for equirectangular "
+                         "and dual fisheyes."});
 }
 
 }  // namespace parhelion

@@ -84,8 +84,10 @@ double Camera::azimuthalSolidAngle(Facts facts, Vec2 lo, Vec2 hi) const {
 }
 
 double Camera::solidAngle(int x, int y) const {
-  // The axis is the picture's centre, so all four quarters are alike; take the first.
-  const double column = std::min(x, width() - 1 - x), row = std::min(y, height() - 1 - y);
+  // The axis is the centre of the picture or of its half, so all four quarters are alike; take the first.
+  const int discWidth = width() / discs(settings_.projection);
+  x %= discWidth;
+  const double column = std::min(x, discWidth - 1 - x), row = std::min(y, height() - 1 - y);
   const Vec2 lo = (Vec2{column, row} - centre_) / focal_;
   const Vec2 hi = (Vec2{column + 1.0, row + 1.0} - centre_) / focal_;
   return visitProjection(settings_.projection, [&](auto facts) {

@@ -13,4 +13,16 @@ bool isPanorama(Projection projection) {
   return visitProjection(projection, [](auto p) { return p.isPanorama; });
 }
 
+bool showsHemispheres(Projection projection) {
+  return visitProjection(projection, [](auto p) { return p.showsHemispheres; });
+}
+
+int discs(Projection projection) {
+  return visitProjection(projection, [](auto p) { return p.discs; });
+}
+
+bool isMirrored(Projection projection) {
+  return visitProjection(projection, [](auto p) { return p.isMirrored; });
+}
+
 }  // namespace parhelion

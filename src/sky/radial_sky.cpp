@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "sky/camera.h"
+#include "sky/picture_parts.h"
 #include "sky/radial_footprint.h"
 
 namespace parhelion {
@@ -35,7 +36,7 @@ int ringsFor(const Camera& camera) {
 }  // namespace
 
 RadialSky::RadialSky(const TallyInfo& info, const Vec3& toCentre, int colours)
-    : toCentre_(toCentre), colours_(colours), rings_(static_cast<std::size_t>(ringsFor(Camera(info.camera)))) {
+    : toCentre_(toCentre), colours_(colours), rings_(static_cast<std::size_t>(ringsFor(Camera(partsOf(info.camera).front().camera)))) {
   if (colours != 1 && colours != 3) throw std::invalid_argument("radial sky: colours must be 1 or 3");
   perChord_ = static_cast<double>(bins()) / (2.0 * std::sqrt(2.0));
   const auto inverseOrZero = [](double x) { return x > 0.0 ? 1.0 / x : 0.0; };
@@ -73,13 +74,15 @@ void RadialSky::setPixel(Tally& tally, int pixel, const RadialFootprint& footpri
 
 void RadialSky::spreadOver(Tally& tally) const {
   if (tally.colours() != colours_) throw std::invalid_argument("radial sky: the tally's colours differ");
-  const Camera camera(tally.info.camera);
-  RadialFootprint footprint(camera, *this);
-  for (int y = 0; y < camera.height(); ++y) {
-    footprint.setRow(y);
-    for (int x = 0; x < camera.width(); ++x) {
-      footprint.setPixel(x);
-      setPixel(tally, y * camera.width() + x, footprint);
+  for (const PicturePart& part : partsOf(tally.info.camera)) {
+    const Camera camera(part.camera);
+    RadialFootprint footprint(camera, *this);
+    for (int y = 0; y < camera.height(); ++y) {
+      footprint.setRow(y);
+      for (int x = 0; x < camera.width(); ++x) {
+        footprint.setPixel(x);
+        setPixel(tally, y * tally.width() + part.left + x, footprint);
+      }
     }
   }
 }

@@ -37,7 +37,8 @@ inline constexpr double kRounding = 1e-15;
 
 /// What most projections are not.
 struct OrdinaryPicture {
-  static constexpr bool isPanorama = false;
+  static constexpr bool isPanorama = false, showsHemispheres = false, isMirrored = false;
+  static constexpr int discs = 1;
 };
 
 struct Fisheye : OrdinaryPicture {

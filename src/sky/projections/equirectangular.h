@@ -6,7 +6,7 @@
 namespace parhelion::projections {
 
 /// x = longitude, y = latitude of the camera's frame: the whole sphere as a map.
-struct Equirectangular {
+struct Equirectangular : OrdinaryPicture {
   static constexpr bool isFisheye = false, isAzimuthal = false, isPanorama = true, hasDiagonal = false;
   static constexpr Range fieldOfView{0, 360, true}, verticalFieldOfView{0, 180, true};
   static constexpr double defaultFieldOfView = 360, defaultElevation = 0;
