@@ -17,6 +17,7 @@ bool sameButForScale(CameraSettings a, const CameraSettings& b) {
   a.fieldOfViewAxis = b.fieldOfViewAxis;
   a.fieldOfView = b.fieldOfView;
   a.imageCircle = b.imageCircle;
+  a.horizon = b.horizon;
   a.width = b.width;
   a.height = b.height;
   return a == b;
@@ -28,7 +29,7 @@ constexpr double kSameSize = 1e-6;
 /// Which pixels show sky, and be it in part.
 std::vector<bool> showsSky(const Camera& camera) {
   std::vector<bool> shown(static_cast<std::size_t>(camera.width()) * camera.height(), true);
-  if (!isFisheye(camera.settings().projection)) return shown;
+  if (!isFisheye(camera.settings().projection) && !camera.cutsHorizon()) return shown;
   const std::vector<double> solidAngles = camera.solidAngles();
   for (std::size_t i = 0; i < shown.size(); ++i) shown[i] = solidAngles[i] > 0.0;
   return shown;
@@ -112,8 +113,7 @@ std::optional<Vec3> HaloLookup::lightAt(Vec2 place) const {
       const int x = column(static_cast<int>(corner.x) + dx, found->x);
       const int y = std::clamp(static_cast<int>(corner.y) + dy, 0, height_ - 1);
       const std::size_t square = static_cast<std::size_t>(y) * width_ + x;
-      const double weight =
-          (dx == 0 ? 1.0 - share.x : share.x) * (dy == 0 ? 1.0 - share.y : share.y) * sky_[square];
+      const double weight = (dx == 0 ? 1.0 - share.x : share.x) * (dy == 0 ? 1.0 - share.y : share.y) * sky_[square];
       sum += weight * light_[square];
       weights += weight;
     }

@@ -10,7 +10,8 @@ namespace parhelion {
 
 /// A picture of the halo's light, looked up from the pixels of a photograph. Between the centres of the picture's
 /// pixels, whose values are means over them, light changes bilinearly: never below 0, and as much altogether. Pixels
-/// without sky have no part in it. A picture that is finer than the photograph is averaged over squares first, and looked up in four places a pixel.
+/// without sky have no part in it. A picture that is finer than the photograph is averaged over squares first, and
+/// looked up in four places a pixel.
 class HaloLookup {
  public:
   /// `halo` has channels R, G, B and the size of `haloCamera`; samples that are not finite count as 0. Throws

@@ -40,11 +40,13 @@ void checkFieldOfView(TableReader& reader, const FieldOfViewKey& key, double ang
   });
 }
 
-/// The camera knows whether its distortion folds the picture over.
-void checkDistortion(TableReader& reader, const CameraSettings& camera) {
-  if (camera.distortion.none()) return;
+/// The camera knows what cannot be: a distortion that folds the picture over, a shift beyond what the lens shows.
+template <class Setting>
+void checkByCamera(TableReader& reader, std::string_view key, const CameraSettings& camera,
+                   Setting CameraSettings::*member) {
+  if (camera.*member == Setting()) return;
   CameraSettings ideal = camera;
-  ideal.distortion = {};
+  ideal.*member = Setting();
   try {
     const Camera works(ideal);
   } catch (const std::invalid_argument&) {
@@ -53,7 +55,7 @@ void checkDistortion(TableReader& reader, const CameraSettings& camera) {
   try {
     const Camera works(camera);
   } catch (const std::invalid_argument& problem) {
-    reader.reject("distortion", problem.what());
+    reader.reject(key, problem.what());
   }
 }
 
@@ -126,7 +128,8 @@ bool kinds::CameraTable::read(const Value& in, CameraSettings& out) const {
   applyFieldOfView(reader, keys, out);
   checkImageCircle(reader, out);
   checkResolution(reader, out);
-  if (!reader.rejected("distortion")) checkDistortion(reader, out);
+  if (!reader.rejected("shift")) checkByCamera(reader, "shift", out, &CameraSettings::shift);
+  if (!reader.rejected("distortion")) checkByCamera(reader, "distortion", out, &CameraSettings::distortion);
   return true;
 }
 

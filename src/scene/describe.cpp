@@ -136,6 +136,10 @@ class CameraDescription {
     text_ += ", " + std::to_string(camera_.width) + " x " + std::to_string(camera_.height) + " pixels";
   }
 
+  void choice(const CameraKey& key, auto member) {
+    if (camera_.*member != CameraSettings().*member) add(key, std::string(nameOf(camera_.*member)));
+  }
+
   // Most cameras have none of these.
   void numberOrNone(const CameraKey&, auto /*unit*/, auto /*member*/) {}
   void numbers(const CameraKey&, auto /*unit*/, auto /*member*/, const auto& /*parts*/) {}

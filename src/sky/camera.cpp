@@ -7,6 +7,9 @@
 #include <stdexcept>
 #include <string>
 
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
 #include "math/portable.h"
 #include "math/rotation.h"
 #include "picture/image.h"
@@ -56,6 +59,9 @@ CameraSettings validated(const CameraSettings& s) {
   const Distortion& d = s.distortion;
   require(std::isfinite(d.k1) && std::isfinite(d.k2) && std::isfinite(d.k3), "distortion must be finite");
   require(d.none() || (isAzimuthal(s.projection) && !isFixed), "only single lenses have distortion");
+  require(std::isfinite(s.shift.x) && std::isfinite(s.shift.y), "a shift must be finite");
+  require(s.shift == Shift() || (isAzimuthal(s.projection) && !isFixed),
+          "only the picture of a single lens can be shifted");
   return s;
 }
 
@@ -102,6 +108,8 @@ Camera::Camera(const CameraSettings& settings)
       idealRadius_(std::numeric_limits<double>::infinity()),
       circleRadius_(std::numeric_limits<double>::infinity()),
       minCosine_(std::numeric_limits<double>::min()) {
+  centre_ += focal_ * Vec2(-settings.shift.x, settings.shift.y);
+
   // Up is d skyDirection / d elevation, which is defined at the zenith too.
   const auto [sinAz, cosAz] = portable::sincos(settings.azimuth);
   const auto [sinEl, cosEl] = portable::sincos(settings.elevation);
@@ -119,10 +127,22 @@ Camera::Camera(const CameraSettings& settings)
     minCosine_ = portable::cos(maxAngle(settings)) - kCosineSlack;
   }
   if (!settings.distortion.none()) limitDistortion();
+  if (!(settings.shift == Shift())) requireSky();
+}
+
+Vec2 Camera::farthestCorner() const {
+  const double discWidth = settings_.width / discs(settings_.projection), height = settings_.height;
+  return {2.0 * centre_.x >= discWidth ? 0.0 : discWidth, 2.0 * centre_.y >= height ? 0.0 : height};
+}
+
+void Camera::requireSky() const {
+  const Vec2 nearest = glm::clamp(centre_, Vec2(0.0), Vec2(settings_.width, settings_.height));
+  require(glm::length(nearest - centre_) < circleRadius_ * focal_,
+          "the shift moves the picture out of all that the lens shows");
 }
 
 void Camera::limitDistortion() {
-  const double fold = settings_.distortion.foldRadius(), corner = glm::length(centre_) / focal_;
+  const double fold = settings_.distortion.foldRadius(), corner = glm::length(farthestCorner() - centre_) / focal_;
   if (fold < idealRadius_) {
     require(settings_.distortion.distorted(fold) >= corner,
             "the distortion folds the picture over before it reaches the corners");
@@ -137,7 +157,7 @@ void Camera::limitDistortion() {
 
 bool Camera::isMirrorSymmetric() const {
   const double turns = settings_.azimuth / kPi;
-  return turns == std::floor(turns) && settings_.roll == 0.0 && discStep_ == 0.0;
+  return turns == std::floor(turns) && settings_.roll == 0.0 && discStep_ == 0.0 && settings_.shift.x == 0.0;
 }
 
 Lens Camera::lens() const {
@@ -152,6 +172,7 @@ Lens Camera::lens() const {
           centre_.y,
           discStep_,
           focal_,
+          cutsHorizon() ? -kCosineSlack : -2.0,
           minCosine_,
           settings_.distortion};
 }
@@ -180,6 +201,11 @@ std::optional<Vec3> Camera::toSky(Vec2 pixel) const {
 }
 
 std::optional<Vec3> Camera::directionAt(Vec2 pixel) const {
+  const std::optional<Vec3> direction = directionThere(pixel);
+  return direction && cutsHorizon() && direction->z < -kCosineSlack ? std::nullopt : direction;
+}
+
+std::optional<Vec3> Camera::directionThere(Vec2 pixel) const {
   const bool isBack = discStep_ > 0.0 && pixel.x >= discStep_;
   const double x = isBack ? pixel.x - discStep_ : pixel.x;
   const Vec2 place{(x - centre_.x) / focal_, (centre_.y - pixel.y) / focal_};
@@ -209,6 +235,20 @@ std::optional<Vec3> Camera::azimuthalDirection(Facts facts, Vec2 p) const {
   }
   const auto [cosine, sinePerRadius] = facts.atSquaredRadius(r2);
   return sinePerRadius * (p.x * right_ + p.y * up_) + cosine * forward_;
+}
+
+Vec3 Camera::directionWithin(Vec2 place, bool isBack) const {
+  return visitProjection(settings_.projection, [&](auto facts) -> Vec3 {
+    if constexpr (facts.isAzimuthal) {
+      const double r = glm::length(place);
+      if (r > circleRadius_) place *= circleRadius_ * (1.0 - projections::kRounding) / r;
+      const std::optional<Vec3> direction = azimuthalDirection(facts, place);
+      return isBack ? *halfATurn(direction, up_) : *direction;
+    } else {
+      const Vec3 v = facts.anywhere(place);
+      return v.x * right_ + v.y * up_ + v.z * forward_;
+    }
+  });
 }
 
 }  // namespace parhelion

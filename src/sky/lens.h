@@ -14,6 +14,7 @@ struct Lens {
   double centreX, centreY;            // pixels; of the left one of two discs
   double discStep;                    // pixels from the left to the right one of two
   double focal;                       // pixels
+  double lowest;                      // height of a unit vector, below which nothing is seen
   double minCosine;                   // of angles from the axis inside the image circle
   Distortion distortion;
 
@@ -29,7 +30,7 @@ struct Lens {
   template <class T>
   PARHELION_INLINE PicturePlace<T> place(const Triple<T>& toSky) const {
     const Triple<T> v{along(right, toSky), along(up, toSky), along(forward, toSky)};
-    return visitProjection(
+    PicturePlace<T> found = visitProjection(
         projection, [&](auto facts) __attribute__((always_inline))->PicturePlace<T> {
           if constexpr (facts.discs > 1) {
             const MaskOf<T> back = v.z < 0.0;
@@ -43,6 +44,8 @@ struct Lens {
             return inPixels(facts.place(v));
           }
         });
+    found.inside = found.inside & (toSky.z >= lowest);
+    return found;
   }
 
  private:

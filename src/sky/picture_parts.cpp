@@ -15,8 +15,7 @@ std::vector<PicturePart> partsOf(const CameraSettings& camera) {
       front.width = camera.width / 2;
       front.imageCircle = kPi;
       front.fieldOfView = kPi;
-      front.fieldOfViewAxis =
-          front.width <= front.height ? FieldOfViewAxis::horizontal : FieldOfViewAxis::vertical;
+      front.fieldOfViewAxis = front.width <= front.height ? FieldOfViewAxis::horizontal : FieldOfViewAxis::vertical;
       // Half a turn about the camera's up.
       CameraSettings back = front;
       back.azimuth = camera.azimuth + kPi;

@@ -29,6 +29,7 @@
 // The others have
 //   place(v)              where a direction appears; for lanes too
 //   direction(p)          its inverse; none where the picture shows no sky
+//   anywhere(p)           the same going on smoothly there
 //   rectangle(lo, hi)     solid angle (sr) of the part of the sky that a rectangle shows
 
 #include <cassert>

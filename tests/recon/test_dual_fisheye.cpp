@@ -52,7 +52,10 @@ TEST_CASE("no light crosses the seam of a dual fisheye, and none is lost at its 
     CAPTURE(std::string(nameOf(projection)));
     // Few hits, whose kernels are as wide as a disc, and all of them in the left one, most beside the other.
     const TallyInfo info = dual(projection);
-    const Tally tally = hitsOnSky(info, [](int x, int) { return x >= kHeight ? 0.0 : x > 110 ? 0.3 : 0.02; }, 3);
+    const Tally tally = hitsOnSky(
+        info, [](int x, int) { return x >= kHeight ? 0.0
+                                      : x > 110    ? 0.3
+                                                   : 0.02; }, 3);
     for (const ReconSettings& settings :
          {ReconSettings(AdaptiveSettings{}), ReconSettings(GaussianSettings{}), ReconSettings(NoSettings{})}) {
       CAPTURE(std::string(nameOf(settings)));
@@ -70,7 +73,8 @@ TEST_CASE("each disc of a dual fisheye is even up to its rim where the sky is, w
     CAPTURE(std::string(nameOf(projection)));
     const TallyInfo info = dual(projection);
     constexpr double kLeft = 30.0, kRight = 300.0;  // hits a mean pixel
-    const Image image = adaptive(hitsOnSky(info, [](int x, int) { return x < kHeight ? kLeft : kRight; }, 5));
+    const Image image = adaptive(hitsOnSky(
+        info, [](int x, int) { return x < kHeight ? kLeft : kRight; }, 5));
     const std::vector<float>& radiance = *image.find("G");
     const double perHit = 2.0 * kHeight * kHeight / (4.0 * kPi * 1e6);
     const Camera camera(info.camera);

@@ -35,6 +35,9 @@ class UnusualKeys {
     if (!isLens || showsHemispheres(camera_.projection) || !wants(key.name)) return;
     for (std::size_t i = 0; i < parts.size(); ++i) camera_.*member.*parts[i].member = 0.01 * static_cast<double>(i + 1);
   }
+  void choice(const CameraKey& key, auto member) {
+    if (wants(key.name)) camera_.*member = kMembersOf<std::remove_cvref_t<decltype(camera_.*member)>>.back();
+  }
   void fieldOfView(const FieldOfViewAttributes&, InDegrees) {
     if (showsHemispheres(camera_.projection) || !wants(keyOf(axis_).name)) return;
     camera_.fieldOfViewAxis = axis_;

@@ -24,6 +24,11 @@ struct Equirectangular : OrdinaryPicture {
 
   static std::optional<Vec3> direction(Vec2 p) {
     if (std::abs(p.x) > kPi * kFullAngleSlack || std::abs(p.y) > 0.5 * kPi * kFullAngleSlack) return std::nullopt;
+    return anywhere(p);
+  }
+
+  /// The same, turning on beyond the sphere's seam and poles.
+  static Vec3 anywhere(Vec2 p) {
     const auto [sinLon, cosLon] = portable::sincos(p.x);
     const auto [sinLat, cosLat] = portable::sincos(p.y);
     return Vec3(cosLat * sinLon, sinLat, cosLat * cosLon);
