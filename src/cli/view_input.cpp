@@ -4,8 +4,8 @@
 #include <stdexcept>
 
 #include "photo/sky_mask.h"
+#include "picture/auto_exposure.h"
 #include "picture/exr.h"
-#include "picture/tone.h"
 #include "render/scene_attributes.h"
 #include "sky/radiance.h"
 #include "sky/tally_exr.h"
