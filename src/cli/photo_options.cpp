@@ -93,7 +93,8 @@ void PhotoOptions::addTo(CLI::App& command) {
 
 bool PhotoOptions::given() const {
   return !projection.empty() || fovHorizontal || fovVertical || fovDiagonal || focal35mm || imageCircle ||
-         !distortion.empty() || !shift.empty() || !sun.empty() || !horizon.empty() || !known.empty() || azimuth || elevation || roll;
+         !distortion.empty() || !shift.empty() || !sun.empty() || !horizon.empty() || !known.empty() || azimuth ||
+         elevation || roll;
 }
 
 LensClues PhotoOptions::lensClues(const std::string& path) const {

@@ -29,7 +29,7 @@ constexpr int kHalvings = 40;          // of an interval, to find where
 /// its points, `step` apart or closer.
 template <class Line>
 Vec3 slopeOf(const Line& line, double t, double from, double to, double step) {
-  const double h = std::min(step, 0.25 * (to - from));
+  const double h = std::min(step, 0.2 * (to - from));
   const double middle = std::clamp(t, from + 2.0 * h, to - 2.0 * h), u = (t - middle) / h;
   const double u2 = u * u, u3 = 4.0 * u * u2;
   const std::array weights = {(u3 - 6.0 * u2 - 2.0 * u + 2.0) / 24.0, -(u3 - 3.0 * u2 - 8.0 * u + 4.0) / 6.0,

@@ -45,7 +45,8 @@ TEST_CASE("an even sky is even down to a horizon that is cut, and nothing is bel
           CHECK(value == 0.0);
           continue;
         }
-        CHECK(value < 1.6 * even);
+        // Slivers of a pixel hold less than a hit.
+        if (solidAngles[i] > 0.1 * mean) CHECK(value < 1.6 * even);
         // The first two rows of pixels above the horizon.
         const auto toSky = camera.toSky({x + 0.5, y + 0.5});
         if (toSky && toSky->z > 2.0 / camera.focalLength()) continue;
