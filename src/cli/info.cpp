@@ -31,7 +31,7 @@ void printChannel(const Channel& channel) {
 }
 
 int infoExr(const InfoOptions& options) {
-  const ExrFile exr = readExr(options.file);
+  const ExrFile exr = readExr(options.file, ExrColours::asStored);
   const auto scene = exr.attributes.find(kSceneKey);
   if (options.sceneOnly) {
     if (scene == exr.attributes.end()) throw std::runtime_error(options.file + ": holds no scene");

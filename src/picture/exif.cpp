@@ -16,7 +16,16 @@ constexpr std::size_t kHeaderBytes = 8;  // byte order, the number 42, offset of
 constexpr std::size_t kFieldBytes = 12;  // tag, type, count, value or its offset
 
 // Types of values by their number in TIFF 6.0.
-enum Type : std::uint32_t { kByte = 1, kAscii, kShort, kLong, kRational, kUndefined = 7, kSignedLong = 9, kSignedRational };
+enum Type : std::uint32_t {
+  kByte = 1,
+  kAscii,
+  kShort,
+  kLong,
+  kRational,
+  kUndefined = 7,
+  kSignedLong = 9,
+  kSignedRational
+};
 
 struct Block {
   std::span<const std::uint8_t> bytes;
