@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "cli/run_options.h"
+#include "math/names.h"
 #include "render/sky_files.h"
 
 namespace parhelion::cli {
@@ -16,7 +17,19 @@ void PictureOptions::addTo(CLI::App& command) {
   command.add_option("--exposure", exposure, "Exposure of the preview; chosen by the picture when left out")
       ->type_name("STOPS")
       ->check(number(-100.0, 100.0));
+  addGamut(command, gamut);
 }
+
+void addGamut(CLI::App& command, std::string& gamut) {
+  command
+      .add_option("--gamut", gamut,
+                  "Colours of the EXR outside Rec.709: exact, with negative components, or mixed with grey of the same "
+                  "luminance until there are none; exact when left out")
+      ->type_name("exact|clip")
+      ->check(nameOfOne<Gamut>());
+}
+
+Gamut gamutOf(const std::string& gamut) { return gamut.empty() ? Gamut::exact : valueOf<Gamut>(gamut); }
 
 std::filesystem::path PictureOptions::exr(const std::string& input) const {
   const std::filesystem::path own = std::filesystem::path(input).filename().replace_extension(".exr");
@@ -32,7 +45,7 @@ std::filesystem::path PictureOptions::exr(const std::string& input) const {
 
 void writePicture(ReconstructedSky sky, const TallyInfo& info, const LoadedScene& loaded, const PictureOptions& options,
                   const std::string& input, bool quiet) {
-  const SkyFiles files{options.exr(input), options.png(input), options.exposure};
+  const SkyFiles files{options.exr(input), options.png(input), options.exposure, gamutOf(options.gamut)};
   const WrittenSky written = writeSkyFiles(files, std::move(sky.image), info, loaded);
   if (quiet) return;
   for (const std::string& remark : sky.remarks) std::fprintf(stderr, "recon: %s\n", remark.c_str());

@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "picture/gamut.h"
 #include "recon/reconstruct.h"
 #include "scene/parse_scene.h"
 #include "sky/tally.h"
@@ -16,6 +17,7 @@ namespace parhelion::cli {
 struct PictureOptions {
   std::string output;              // of the EXR; empty: named after the input, in the current folder
   std::optional<double> exposure;  // stops; empty: chosen by the picture
+  std::string gamut;               // "exact", "clip"; empty: exact
 
   void addTo(CLI::App& command);
 
@@ -24,6 +26,12 @@ struct PictureOptions {
   std::filesystem::path exr(const std::string& input) const;
   std::filesystem::path png(const std::string& input) const { return exr(input).replace_extension(".png"); }
 };
+
+/// Adds --gamut, which says what becomes of colours outside Rec.709, to a subcommand.
+void addGamut(CLI::App& command, std::string& gamut);
+
+/// What --gamut says.
+Gamut gamutOf(const std::string& gamut);
 
 /// Draws the sun into a sky reconstructed from a tally with that info if the scene makes it visible, and writes the
 /// linear EXR and the PNG preview. Says on stderr what was written, and what the reconstruction remarked, unless

@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "cli/commands.h"
+#include "cli/picture.h"
 #include "cli/run_options.h"
 #include "cli/text_output.h"
 #include "cli/trace_watch.h"
@@ -18,7 +19,7 @@ namespace {
 struct SweepOptions {
   RunOptions run;
   std::vector<std::string> keys;
-  std::string output, contactSheet;
+  std::string output, contactSheet, gamut;
   std::optional<double> exposure;
   std::size_t first = 0;
   bool product = false;
@@ -131,7 +132,7 @@ int runSweep(const SweepOptions& options) {
   const FrameNames names = frameNamesOf(options.output);
   const std::vector<std::vector<std::string>> values = valuesOf(options);
   const FrameLoader load = [&](const std::vector<std::string>& own) { return loadFrame(options.run, own); };
-  const std::vector<SweepFrame> frames = planFrames(values, load, names, options.first);
+  const std::vector<SweepFrame> frames = planFrames(values, load, names, options.first, gamutOf(options.gamut));
   requireOutputsOf(options, frames);
   if (!options.run.quiet) reportPlan(frames);
   const StopSignal stop;
@@ -166,6 +167,7 @@ void addOptions(CLI::App& command, SweepOptions& options) {
                   "Exposure of all previews; the median of what the frames would choose when left out")
       ->type_name("STOPS")
       ->check(number(-100.0, 100.0));
+  addGamut(command, options.gamut);
   command.add_option("--contact-sheet", options.contactSheet, "All frames small on one picture, with their values")
       ->type_name("FILE.png")
       ->check(fileOfKind({".png"}, ".png"));

@@ -15,6 +15,9 @@ inline constexpr const char* kSoftware = "parhelion " PARHELION_VERSION;
 inline constexpr const char* kSceneKey = "parhelion:scene";
 inline constexpr const char* kStrengthKey = "parhelion:strength";
 
+/// Under this an EXR of ours says that colours outside Rec.709 have been changed, and how (picture/gamut.h).
+inline constexpr const char* kGamutKey = "parhelion:gamut";
+
 /// What every EXR of ours says about itself: the program, and the scene with which it can be made again.
 ExrAttributes sceneAttributes(const LoadedScene& loaded, std::uint64_t rays);
 

@@ -48,7 +48,7 @@ void RadialSky::merge(const RadialSky& other) {
     throw std::invalid_argument("radial sky: centre, rings or colours differ");
   }
   for (std::size_t i = 0; i < rings_.size(); ++i) {
-    for (std::size_t k = 0; k < rings_[i].place.size(); ++k) rings_[i].place[k] += other.rings_[i].place[k];
+    for (std::size_t k = 0; k < rings_[i].place.size(); ++k) addFixed(rings_[i].place[k], other.rings_[i].place[k]);
   }
 }
 

@@ -56,7 +56,7 @@ TEST_CASE("every member of a family has a name of its own, which reads back") {
   checkNames<KernelGain>(2);
   checkNames<KernelFlow>(2);
   checkNames<Projection>(6);
-  checkNames<ContinuousSpectrum::Source>(3);
+  checkNames<ContinuousSpectrum::Source>(9);
   checkNames<OrientationName>(5);
   checkNames<ShapeSettings>(2);
   checkNames<ReconSettings>(8);
