@@ -131,11 +131,16 @@ class CameraDescription {
   void number(const CameraKey& key, InDegrees, double CameraSettings::*member) { add(key, inDegrees(camera_.*member)); }
   void number(const CameraKey& key, Unitless, double CameraSettings::*member) { add(key, plain(camera_.*member)); }
   void fieldOfView(const FieldOfViewAttributes&, InDegrees) {
+    if (showsHemispheres(camera_.projection)) return;
     text_.append("; ").append(inDegrees(camera_.fieldOfView)).append(" ");
     text_ += keyOf(camera_.fieldOfViewAxis).axisName;
   }
   void resolution(const CameraKey&) {
     text_ += ", " + std::to_string(camera_.width) + " x " + std::to_string(camera_.height) + " pixels";
+  }
+
+  void choice(const CameraKey& key, auto member) {
+    if (camera_.*member != CameraSettings().*member) add(key, std::string(nameOf(camera_.*member)));
   }
 
   // Most cameras have none of these.

@@ -73,7 +73,8 @@ bool Labels::fits(const Box& box) const {
     const std::optional<Vec3> toSky = camera_.toSky(corner);
     if (!toSky || (!below_ && toSky->z < 0.0)) return false;
   }
-  return !isTaken(wide);
+  const bool crossesSeam = wide.min.x < camera_.seam() && wide.max.x > camera_.seam();
+  return !crossesSeam && !isTaken(wide);
 }
 
 bool Labels::isTaken(const Box& box) const {
