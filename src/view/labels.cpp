@@ -73,9 +73,10 @@ bool Labels::fits(const Box& box) const {
     const std::optional<Vec3> toSky = camera_.toSky(corner);
     if (!toSky || (!below_ && toSky->z < 0.0)) return false;
   }
-  const bool crossesSeam = wide.min.x < camera_.seam() && wide.max.x > camera_.seam();
-  return !crossesSeam && !isTaken(wide);
+  return !crossesSeam(wide) && !isTaken(wide);
 }
+
+bool Labels::crossesSeam(const Box& box) const { return box.min.x < camera_.seam() && box.max.x > camera_.seam(); }
 
 bool Labels::isTaken(const Box& box) const {
   return std::any_of(taken_.begin(), taken_.end(), [&](const Box& other) { return box.overlaps(other); });
@@ -93,8 +94,9 @@ std::optional<LabelPlace> Labels::place(const std::string& text, const std::vect
   const auto leader = [](const LabelPlace& at) {
     return Box{glm::min(at.anchor, at.foot()), glm::max(at.anchor, at.foot())};
   };
-  const auto found = std::find_if(candidates.begin(), candidates.end(),
-                                  [&](const LabelPlace& at) { return fits(at.box) && !isTaken(leader(at)); });
+  const auto found = std::find_if(candidates.begin(), candidates.end(), [&](const LabelPlace& at) {
+    return fits(at.box) && !isTaken(leader(at)) && !crossesSeam(leader(at));
+  });
   if (found == candidates.end()) return std::nullopt;
   taken_.push_back(found->box);
   taken_.push_back(leader(*found));

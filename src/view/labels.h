@@ -75,6 +75,7 @@ class Labels {
   const Camera& camera_;
   const Canvas& canvas_;
   bool isTaken(const Box& box) const;
+  bool crossesSeam(const Box& box) const;
 
   double size_;  // of the letters, pixels
   bool below_;
