@@ -131,7 +131,8 @@ View filtered(const ViewInput& input, const ViewOptions& options) {
     if (!input.tally)
       throw CLI::ValidationError("--dots",
                                  input.path + " holds no hits; parhelion trace SCENE -o hits.exr makes such a file");
-    view.picture = dots(*input.tally, options.dotSize, options.drawsLines() ? kDotsUnderLines : 0);
+    view.picture = dots(*input.tally, options.dotSize.value_or(usualDotSize(*input.tally)),
+                        options.drawsLines() ? kDotsUnderLines : 0);
     return view;
   }
   Shown shown = show(input, options.exposure);

@@ -72,7 +72,9 @@ void addFilters(CLI::App& command, ViewOptions& o) {
       ->check(number(0.0, 1e12));
   command.add_flag("--dots", o.dots,
                    "Black dots on white where a tally was hit: the input is one that trace has written");
-  command.add_option("--dot-size", o.dotSize, "Pixels across a dot")
+  command
+      .add_option("--dot-size", o.dotSize,
+                  "Pixels across a dot; 1 when left out, more in pictures of more than 1600 pixels")
       ->type_name("PX")
       ->check(CLI::Range(1, kMaxDotSize));
   command.add_option("--exposure", o.exposure, "Exposure of linear light; chosen by the picture when left out")
@@ -166,7 +168,7 @@ void ViewOptions::requireSense() const {
          "the lines of two pictures are not one layer; leave --beside out");
   refuse(profileSettings().from >= profileSettings().to, "--from", "must be less than --to");
   refuse(gain && !redMinusBlue && minus.empty(), "--gain", "needs --red-minus-blue or --minus");
-  refuse(dotSize != 1 && !dots, "--dot-size", "needs --dots");
+  refuse(dotSize && !dots, "--dot-size", "needs --dots");
   refuse(!mask.empty() && !profiles && !redMinusBlue, "--mask", "needs --profile or --red-minus-blue");
   refuse(exposure && (profiles || dots), "--exposure", "has no meaning for --profile and --dots");
   refuse(!scene.empty() && !drawsHalos(), "--scene", "is for halos: give --overlay or --halos");

@@ -21,7 +21,7 @@ struct ViewOptions {
   std::string minus;                // the other picture
   std::string unsharp;              // AMOUNT,RADIUS
   bool redMinusBlue = false, dots = false;
-  int dotSize = 1;                       // pixels
+  std::optional<int> dotSize;            // pixels
   int reduction = 1;                     // pixels averaged in each direction
   std::optional<double> gain, exposure;  // exposure in stops
   PhotoOptions photo;
