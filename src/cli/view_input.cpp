@@ -3,6 +3,7 @@
 
 #include <stdexcept>
 
+#include "cli/file_words.h"
 #include "photo/sky_mask.h"
 #include "picture/exr.h"
 #include "picture/tone.h"
@@ -32,6 +33,7 @@ std::optional<std::string> ViewInput::scene() const {
 
 ViewInput readViewInput(const std::string& path, const PhotographRules& rules) {
   ViewInput input;
+  requireFit(path, Wanted::view);
   input.path = path;
   if (!isExr(path)) {
     input.photograph = readPhotograph(path, rules);
@@ -62,6 +64,7 @@ Shown show(const ViewInput& input, std::optional<double> exposure) {
 Image lightOf(ViewInput input) { return input.light ? std::move(*input.light) : linearImage(input.photograph); }
 
 std::vector<std::uint8_t> readMaskFor(const std::string& path, int width, int height) {
+  requireFit(path, Wanted::photograph);
   SkyMask mask = readSkyMask(path);
   if (mask.width != width || mask.height != height)
     throw std::runtime_error(path + ": the mask is " + sizeText(mask.width, mask.height) + ", the picture " +

@@ -2,6 +2,7 @@
 #include "cli/view_options.h"
 
 #include "cli/number_list.h"
+#include "cli/outputs.h"
 #include "cli/run_options.h"
 #include "view/dots.h"
 #include "view/gaussian_blur.h"
@@ -115,6 +116,7 @@ void ViewOptions::addTo(CLI::App& command) {
   addLines(command, *this);
   addProfile(command, *this);
   command.add_flag("--quiet", quiet, "Nothing on stderr");
+  addOverwrite(command, overwrite);
   photo.addTo(command);
 }
 

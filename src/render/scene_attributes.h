@@ -15,6 +15,9 @@ inline constexpr const char* kSoftware = "parhelion " PARHELION_VERSION;
 inline constexpr const char* kSceneKey = "parhelion:scene";
 inline constexpr const char* kStrengthKey = "parhelion:strength";
 
+/// Tallies alone have this attribute.
+inline constexpr const char* kTallyKey = "parhelion:tally";
+
 /// What every EXR of ours says about itself: the program, and the scene with which it can be made again.
 ExrAttributes sceneAttributes(const LoadedScene& loaded, std::uint64_t rays);
 
