@@ -3,6 +3,7 @@
 
 #include "csv.h"
 #include "picture/png.h"
+#include "picture/auto_exposure.h"
 #include "picture/tone.h"
 #include "recon/compare.h"
 #include "recon_methods.h"

@@ -24,12 +24,12 @@ namespace {
 
 int bitsOf(const Samples& samples) { return std::holds_alternative<std::vector<std::uint8_t>>(samples) ? 8 : 16; }
 
-/// "81.2 x 59.8 degrees": along the sides, through the middle.
-std::string fieldOfViewText(const Photograph& photograph, double focalPixels) {
+/// Degrees along the sides, through the middle of the picture.
+void printFieldOfView(const Photograph& photograph, double focalPixels) {
   const auto across = [&](int side) { return degrees(2.0 * std::atan(0.5 * side / focalPixels)); };
-  char text[80];
-  std::snprintf(text, sizeof text, "%.4g x %.4g degrees", across(photograph.width), across(photograph.height));
-  return text;
+  std::printf("field of view: %.1f x %.1f degrees if rectilinear, as of %.3g mm on 35 mm film\n",
+              across(photograph.width), across(photograph.height),
+              equivalentOnFilm(focalPixels, photograph.width, photograph.height));
 }
 
 /// Of a picture of ours without Exif there is nothing to say: its camera is that of its scene.
@@ -39,8 +39,8 @@ void printLens(const Photograph& photograph, bool isOurs) {
     if (!lens && !isOurs)
       std::printf("lens: Exif does not tell; composite and view ask for --fov-horizontal or --focal-35mm\n");
     if (!lens) return;
-    std::printf("lens: %s\nfield of view: %s, if it is rectilinear\n", lens->source.c_str(),
-                fieldOfViewText(photograph, lens->focalPixels).c_str());
+    std::printf("lens: %s\n", lens->source.c_str());
+    printFieldOfView(photograph, lens->focalPixels);
   } catch (const std::invalid_argument& error) {
     std::printf("lens: %s\n", error.what());
   }

@@ -5,8 +5,8 @@
 
 #include "cli/file_words.h"
 #include "photo/sky_mask.h"
+#include "picture/auto_exposure.h"
 #include "picture/exr.h"
-#include "picture/tone.h"
 #include "render/scene_attributes.h"
 #include "sky/radiance.h"
 #include "sky/tally_exr.h"

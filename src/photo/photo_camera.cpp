@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "photo/photo_camera.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -31,6 +32,17 @@ CameraSettings lensWithoutField(const Photograph& photograph, const LensClues& c
   if (clues.imageCircle) camera.imageCircle = *clues.imageCircle;
   camera.distortion = clues.distortion;
   return camera;
+}
+
+/// The angle between the middles of a picture's left and right border, by way of its centre, rad; none where the lens
+/// does not reach them.
+std::optional<double> angleAcross(const Camera& camera) {
+  const double y = 0.5 * camera.height();
+  const auto left = camera.directionAt({0.0, y}), right = camera.directionAt({camera.width() + 0.0, y});
+  const auto middle = camera.directionAt({0.5 * camera.width(), y});
+  if (!left || !right || !middle) return std::nullopt;
+  const auto angle = [&](const Vec3& side) { return std::acos(std::clamp(glm::dot(side, *middle), -1.0, 1.0)); };
+  return angle(*left) + angle(*right);
 }
 
 /// Whether the picture's own horizon is known: a panorama's is its middle row.
@@ -83,15 +95,15 @@ void measureSun(PhotoCamera& found, Vec2 sun) {
 }  // namespace
 
 std::optional<PhotoLens> findLens(const Photograph& photograph, const LensClues& clues) {
-  PhotoLens lens{lensWithoutField(photograph, clues), {}};
+  CameraSettings camera = lensWithoutField(photograph, clues);
   if (clues.fieldOfView) {
-    lens.camera.fieldOfViewAxis = clues.fieldOfView->axis;
-    lens.camera.fieldOfView = clues.fieldOfView->angle;
-    return lens;
+    camera.fieldOfViewAxis = clues.fieldOfView->axis;
+    camera.fieldOfView = clues.fieldOfView->angle;
+    return PhotoLens{camera, describeLens(camera)};
   }
-  if (lens.camera.projection == Projection::equirectangular) {  // a whole sphere says it all
-    lens.camera.fieldOfView = 2.0 * kPi;
-    return lens;
+  if (camera.projection == Projection::equirectangular) {  // a whole sphere says it all
+    camera.fieldOfView = 2.0 * kPi;
+    return PhotoLens{camera, describeLens(camera)};
   }
   Exif exif = photograph.exif;
   if (clues.focal35mm) {
@@ -100,9 +112,8 @@ std::optional<PhotoLens> findLens(const Photograph& photograph, const LensClues&
   }
   const auto found = lensFromExif(exif, photograph.width, photograph.height);
   if (!found) return std::nullopt;
-  lens.remark = text("lens: %.1f pixels, ", found->focalPixels) + found->source;
-  lens.camera = withFocalLength(lens.camera, found->focalPixels);
-  return lens;
+  camera = withFocalLength(camera, found->focalPixels);
+  return PhotoLens{camera, describeLens(camera) + "; from " + found->source};
 }
 
 std::optional<PhotoCamera> pointLens(const CameraSettings& lens, const PointingClues& clues) {
@@ -127,6 +138,21 @@ std::optional<PhotoCamera> pointLens(const CameraSettings& lens, const PointingC
   else
     measureSun(found, *clues.sun);
   return found;
+}
+
+std::string describeLens(const CameraSettings& settings) {
+  const Camera camera(settings);
+  std::string words = text("lens: %.1f pixels", camera.focalLength());
+  const std::optional<double> across = angleAcross(camera);
+  if (across) {
+    words += text(", %.1f degrees from left to right", degrees(*across));
+  } else {
+    const double circle = settings.imageCircle > 0.0 ? settings.imageCircle : std::max(kPi, settings.fieldOfView);
+    words += text(", %.1f degrees across its image circle", degrees(circle));
+  }
+  if (settings.projection == Projection::equirectangular) return words;
+  return words +
+         text(", %.3g mm on 35 mm film", equivalentOnFilm(camera.focalLength(), settings.width, settings.height));
 }
 
 std::string describePointing(const CameraSettings& camera) {

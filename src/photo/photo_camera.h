@@ -36,7 +36,7 @@ struct LensClues {
 /// A photograph's camera before it is pointed: azimuth, elevation and roll are 0.
 struct PhotoLens {
   CameraSettings camera;
-  std::string remark;  // where its focal length is from; empty where it was known
+  std::string remark;  // describeLens(), and where that is from if it was not known
 };
 
 /// The lens of a photograph: as the clues say, what they leave out from its Exif. An equirectangular picture without
@@ -59,6 +59,9 @@ struct PointingClues {
 /// unless it is known. None where the sun's elevation stays unknown. Throws std::invalid_argument as findPointing()
 /// does; its "clue 1", "clue 2" count the sun, then the horizon, then what is known.
 std::optional<PhotoCamera> pointLens(const CameraSettings& lens, const PointingClues& clues);
+
+/// How much a camera sees, in words: "lens: 5000.0 pixels, 39.6 degrees from left to right, 50 mm on 35 mm film".
+std::string describeLens(const CameraSettings& camera);
 
 /// Where a camera looks, in words: "camera: azimuth 12.000, elevation 20.000, roll 0.000 degrees, focal length ...".
 std::string describePointing(const CameraSettings& camera);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <string_view>
 #include <vector>
 
 namespace parhelion {
@@ -15,7 +16,16 @@ constexpr std::size_t kHeaderBytes = 8;  // byte order, the number 42, offset of
 constexpr std::size_t kFieldBytes = 12;  // tag, type, count, value or its offset
 
 // Types of values by their number in TIFF 6.0.
-enum Type : std::uint32_t { kByte = 1, kAscii, kShort, kLong, kRational, kSignedLong = 9, kSignedRational };
+enum Type : std::uint32_t {
+  kByte = 1,
+  kAscii,
+  kShort,
+  kLong,
+  kRational,
+  kUndefined = 7,
+  kSignedLong = 9,
+  kSignedRational
+};
 
 struct Block {
   std::span<const std::uint8_t> bytes;
@@ -42,6 +52,7 @@ std::uint64_t sizeOf(std::uint32_t type) {
   switch (type) {
     case kByte:
     case kAscii:
+    case kUndefined:
       return 1;
     case kShort:
       return 2;
@@ -75,7 +86,7 @@ std::vector<Field> directoryAt(const Block& block, std::size_t at) {
 
 /// A single number, infinite where a fraction's denominator is 0; none for texts, lists and 0/0.
 std::optional<double> numberIn(const Block& block, const Field& field) {
-  if (field.count != 1 || field.type == kAscii) return std::nullopt;
+  if (field.count != 1 || field.type == kAscii || field.type == kUndefined) return std::nullopt;
   const bool isFraction = field.type == kRational || field.type == kSignedRational;
   const bool isSigned = field.type == kSignedLong || field.type == kSignedRational;
   const auto whole = [&](std::size_t at) {
@@ -126,6 +137,59 @@ std::optional<std::size_t> readPicture(const Block& block, std::size_t at, Exif&
   return exifAt;
 }
 
+/// Adds a size unless it is none.
+void addSize(std::vector<PictureSize>& sizes, std::optional<int> width, std::optional<int> height) {
+  if (width.value_or(0) > 0 && height.value_or(0) > 0) sizes.push_back({*width, *height});
+}
+
+/// A number out of a list of shorts or longs; none beyond its end.
+std::optional<int> integerOf(const Block& block, const Field& list, std::size_t index) {
+  const std::size_t size = sizeOf(list.type);
+  if ((list.type != kShort && list.type != kLong) || index >= list.count) return std::nullopt;
+  return integerIn(block, {list.tag, list.type, 1, list.at + index * size});
+}
+
+/// Where the notes of a maker tell the picture's size: the field, and the places of width and height in its list.
+struct SizeInNote {
+  std::uint32_t tag;
+  std::size_t width, height;
+};
+
+// As ExifTool documents them: Canon's AFInfo2 and AFInfo, Sony's FullImageSize.
+constexpr SizeInNote kCanonSizes[] = {{0x0026, 4, 5}, {0x0012, 2, 3}};
+constexpr SizeInNote kSonySizes[] = {{0xB02B, 1, 0}};
+
+/// The sizes that a maker's note tells. The notes of Canon are a directory, those of Sony one behind twelve bytes; both
+/// count offsets as the block does.
+void readMakerNote(Block block, const Field& note, Exif& exif) {
+  std::span<const SizeInNote> places;
+  std::size_t at = note.at;
+  const auto text = [&] { return std::string_view(reinterpret_cast<const char*>(&block.bytes[at]), note.count); };
+  if (exif.make.starts_with("Canon")) places = kCanonSizes;
+  if (text().starts_with("SONY DSC ") || text().starts_with("SONY CAM ")) places = kSonySizes, at += 12;
+  if (places.empty() || !block.holds(at, 2)) return;
+
+  // Programs that write the block anew in the other byte order leave the notes as they are.
+  constexpr std::uint32_t kManyFields = 255;
+  if (block.number(at, 2) > kManyFields) block.bigEndian = !block.bigEndian;
+  for (const Field& field : directoryAt(block, at)) {
+    for (const SizeInNote& place : places) {
+      if (field.tag == place.tag)
+        addSize(exif.sizesTaken, integerOf(block, field, place.width), integerOf(block, field, place.height));
+    }
+  }
+}
+
+/// The size that the interoperability directory tells.
+void readInteroperability(const Block& block, std::size_t at, Exif& exif) {
+  std::optional<int> width, height;
+  for (const Field& field : directoryAt(block, at)) {
+    if (field.tag == 0x1001) width = integerIn(block, field);
+    if (field.tag == 0x1002) height = integerIn(block, field);
+  }
+  addSize(exif.sizesTaken, width, height);
+}
+
 /// Fields of the Exif directory: the date, the lens and the sensor.
 void readCamera(const Block& block, std::size_t at, Exif& exif) {
   for (const Field& field : directoryAt(block, at)) {
@@ -148,6 +212,15 @@ void readCamera(const Block& block, std::size_t at, Exif& exif) {
       case 0xA210:
         exif.focalPlaneUnit = integerIn(block, field).value_or(2);
         break;
+      case 0xA404:
+        exif.digitalZoom = numberIn(block, field);
+        break;
+      case 0x927C:
+        readMakerNote(block, field, exif);
+        break;
+      case 0xA005:
+        if (field.type == kLong && field.count == 1) readInteroperability(block, block.number(field.at, 4), exif);
+        break;
       case 0xA002:
         exif.pixelWidth = integerIn(block, field);
         break;
@@ -168,7 +241,7 @@ Exif readExif(std::span<const std::uint8_t> tiff) {
   const Block block{tiff, bigEndian};
   if (block.number(2, 2) != 42) return exif;
 
-  // These two directories and no other, so that there are no circles to turn in.
+  // These directories and what they name by a tag of its own, so that there are no circles to turn in.
   const std::optional<std::size_t> exifAt = readPicture(block, block.number(4, 4), exif);
   if (exifAt) readCamera(block, *exifAt, exif);
   return exif;

@@ -13,8 +13,7 @@
 namespace parhelion {
 namespace {
 
-constexpr double kBrightShare = 0.99;    // the percentile auto exposure looks at
-constexpr double kHighlightFade = 16.0;  // exposed value at which a colour is half way to white
+constexpr double kHighlightFade = 128.0;  // exposed value at which a colour is half way to white
 
 bool isFinite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
@@ -40,31 +39,17 @@ double ditherThreshold(int x, int y) {
 
 }  // namespace
 
-double autoExposure(const Image& image) {
-  const auto [red, green, blue] = image.rgb();
-  std::vector<double> lit;
-  for (std::size_t i = 0; i < image.pixels(); ++i) {
-    const double y = glm::dot(kRec709Luminance, Vec3{(*red)[i], (*green)[i], (*blue)[i]});
-    if (std::isfinite(y) && y > 0.0) lit.push_back(y);
-  }
-  if (lit.empty()) return 0.0;
-  const auto rank = static_cast<std::ptrdiff_t>(kBrightShare * static_cast<double>(lit.size() - 1));
-  std::nth_element(lit.begin(), lit.begin() + rank, lit.end());
-  return -portable::log(lit[static_cast<std::size_t>(rank)]) / portable::log(2.0);
-}
-
 Vec3 toneCurve(const Vec3& exposed) {
   if (!isFinite(exposed)) return {0.0, 0.0, 0.0};
   const Vec3 colour = intoGamut(exposed);
   const double norm = std::max({colour.x, colour.y, colour.z});
   if (norm <= 0.0) return {0.0, 0.0, 0.0};
 
-  // Written so that neither the square of a huge norm overflows nor a small one loses its colour.
-  const double peak = norm < 1.0 ? norm / std::sqrt(1.0 + norm * norm) : 1.0 / std::sqrt(1.0 + 1.0 / norm / norm);
+  const double peak = norm < 1.0 ? norm / (1.0 + norm) : 1.0 - 1.0 / (1.0 + norm);  // never falls in its last bit
   const double fade = norm / kHighlightFade;
   const double towardWhite = fade < 1.0 ? fade * fade / (1.0 + fade * fade) : 1.0 / (1.0 + 1.0 / fade / fade);
-  const Vec3 scaled = peak * (colour / norm);
-  return scaled + towardWhite * (Vec3(peak) - scaled);
+  const Vec3 saturated = colour / norm;
+  return peak * (saturated + towardWhite * (Vec3(1.0) - saturated));
 }
 
 std::uint8_t ditheredStep(double encoded, int x, int y) {

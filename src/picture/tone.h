@@ -12,16 +12,13 @@
 namespace parhelion {
 
 struct ToneSettings {
-  double exposureStops = 0.0;  // the radiance is multiplied by 2^stops; 1 then comes out at 71 % of white
+  double exposureStops = 0.0;  // the radiance is multiplied by 2^stops; 1 then comes out at half of white
 };
 
-/// Stops at which the bright parts of the sky, the 99th percentile of the pixels that have light, come out as 1. Black
-/// pixels do not count; 0 for an image that is black all over.
-double autoExposure(const Image& image);
-
 /// Exposed linear Rec.709 to display-linear Rec.709 in [0, 1]: colours out of gamut are mixed with the grey of their
-/// luminance just as far as needed, the largest component goes through x / sqrt(1 + x^2) and the others in proportion,
-/// so that hues stay, and far highlights fade to white. Black for components that are not finite.
+/// luminance just as far as needed, the largest component goes through x / (1 + x) and the others in proportion, so that
+/// hues stay. That keeps bright parts apart: 1.1 and 13 are 75 and 97 % of the code values of sRGB. Far highlights fade
+/// to white, half way at 128. Black for components that are not finite.
 Vec3 toneCurve(const Vec3& exposed);
 
 /// 8 bits of an encoded component in [0, 1] at a place of the picture, by ordered dither: gradients of a halo on black
@@ -36,7 +33,7 @@ struct Preview {
   std::size_t badPixels = 0;  // not finite in the image, black here
 };
 
-/// TracedSky, tone curve and transfer function for each pixel of the channels R, G, B. Throws std::invalid_argument if
+/// Exposure, tone curve and transfer function for each pixel of the channels R, G, B. Throws std::invalid_argument if
 /// one is missing.
 Preview developPreview(const Image& image, const ToneSettings& settings);
 

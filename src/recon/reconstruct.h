@@ -15,7 +15,8 @@ namespace parhelion {
 /// undeviated sunlight is not in it.
 ///
 /// The variance is that of the noise, measured by the difference between the pictures of the two halves of the rays. It
-/// does not include the systematic error of a filter, such as blur.
+/// does not include the systematic error of a filter, such as blur. The adaptive method estimates that, too, in a
+/// channel of its own.
 struct ReconstructedSky {
   Image image;
   std::vector<std::string> remarks;  // for the user, such as which sizes were chosen or that an iteration was stopped

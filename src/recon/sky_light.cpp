@@ -118,6 +118,7 @@ Image SkyLight::develop(const std::vector<Raster<double>>& lights) const {
 
 Image developed(int width, int height, const FilteredLight& light, double scale) {
   Image image = emptyRadiance(width, height);
+  if (light.bias) image.add(kBiasChannel);
   const RelativeVariance variance(width, height, light);
   constexpr double kHitsPerWindow = 90.0;  // under a kernel as wide as the window's standard deviation
   constexpr double kRadius = 2.0;          // of a window, standard deviations of that kernel
@@ -128,11 +129,13 @@ Image developed(int width, int height, const FilteredLight& light, double scale)
       const double luminance = scale * light.luminance(i);
       const Vec3 rgb = scale * light.rgb(i);
       for (int c = 0; c < 3; ++c) image.channels[static_cast<std::size_t>(c)].samples[i] = static_cast<float>(rgb[c]);
+      if (light.bias) image.channels[4].samples[i] = static_cast<float>(scale * light.bias(i));
       if (luminance == 0.0) continue;
       const float hits = static_cast<float>(std::max(light.hitsPerPixel(i), 0.0));
       const double sigma = std::sqrt(static_cast<double>(kernelVariance(kHitsPerWindow, hits)));
       const int radius = static_cast<int>(std::clamp(kRadius * sigma, kLeastRadius, kBeyondAnyPicture));
-      const double relative = std::max(variance.at(x, y, radius), 1.0 / light.hits);
+      const double leastError = light.leastError ? light.leastError(i) : 0.0;
+      const double relative = std::max({variance.at(x, y, radius), leastError * leastError, 1.0 / light.hits});
       image.channels[3].samples[i] = static_cast<float>(luminance * luminance * relative);
     }
   });

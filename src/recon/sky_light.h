@@ -56,13 +56,17 @@ struct FilteredLight {
   std::function<Vec3(std::size_t)> rgb;
   std::function<double(std::size_t)> hitsPerPixel;  // decides over which width the noise is averaged
   double hits = 0.0;                                // effective hits in all the sky
+  // What some methods know besides, or empty: the least standard error of the luminance over the luminance, and the
+  // bias of the luminance.
+  std::function<double(std::size_t)> leastError, bias;
 };
 
 /// The image of filtered light, with the variance of its luminance. `scale` converts the light's unit to 1/sr.
 ///
 /// The relative variance of a pixel is a quotient of two sums over a window somewhat wider than the kernels: the
 /// squares of the difference between the halves, over the squares of the luminance. It is at least that of all the
-/// light together, which is 1 / hits.
+/// light together, which is 1 / hits, and at least the square of `leastError`. With a bias, the image has a channel for
+/// it.
 Image developed(int width, int height, const FilteredLight& light, double scale);
 
 /// An image with the channels R, G, B and the variance of the luminance, all 0.

@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "parallel/threads.h"
+#include "picture/auto_exposure.h"
 #include "picture/png.h"
 #include "render/scene_attributes.h"
 #include "sky/camera.h"
@@ -23,7 +24,7 @@ void writeSky(const std::filesystem::path& exr, Image& image, const TallyInfo& i
   const Envmap envmap = envmapOf(camera);
   // Blender takes a channel with a dot in its name for the sign of several layers, which it lights nothing with.
   if (envmap == Envmap::latLong)
-    std::erase_if(image.channels, [](const Channel& channel) { return channel.name == kVarianceChannel; });
+    std::erase_if(image.channels, [](const Channel& channel) { return channel.name.find('.') != std::string::npos; });
   writeBeautyExr(exr, image, sceneAttributes(loaded, info.rayCount()), envmap);
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "picture/auto_exposure.h"
 #include "picture/exr.h"
 #include "render/sky_files.h"
 #include "render/traced_sky.h"

@@ -19,13 +19,26 @@ const char* kScene = "[[population]]\nshape = \"prism\"\n[trace]\nrays = 1000\n"
 TEST_CASE("EXIF that lies is refused with its value") {
   Folder folder;
   writeFile(folder / "scene.toml", kScene);
-  for (const unsigned focal : {0u, 1u, 60000u}) {
+  for (const unsigned focal : {1u, 60000u}) {
     writeJpegWithExif(folder / "photo.jpg", landscape<std::uint8_t>(60, 40, 0.5), 1, focal);
     const Outcome outcome = run(folder, "parhelion composite photo.jpg --scene scene.toml --sun 30,20 -o out.png");
     CHECK(outcome.exit == 2);
     CHECK_MESSAGE(outcome.err.find(std::to_string(focal)) != std::string::npos, outcome.err);
     CHECK_FALSE(std::filesystem::exists(folder / "out.png"));
   }
+}
+
+TEST_CASE("a 35 mm equivalent of 0 in EXIF is unknown") {
+  Folder folder;
+  writeFile(folder / "scene.toml", kScene);
+  writeJpegWithExif(folder / "photo.jpg", landscape<std::uint8_t>(60, 40, 0.5), 1, 0);
+  const std::string command = "parhelion composite photo.jpg --scene scene.toml --sun 30,20 -o out.png";
+  const Outcome without = run(folder, command);
+  CHECK(without.exit == 2);
+  CHECK_MESSAGE(without.err.find("does not say how wide") != std::string::npos, without.err);
+  const Outcome with = run(folder, command + " --focal-35mm 24");
+  CHECK(with.exit == 0);
+  CHECK_MESSAGE(with.err.find("73.7 degrees from left to right, 24 mm on 35 mm film") != std::string::npos, with.err);
 }
 
 TEST_CASE("a composite that lacks something says which options give it") {

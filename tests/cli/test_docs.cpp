@@ -2,6 +2,9 @@
 // Every command and every scene in the documentation works as written.
 #include <doctest/doctest.h>
 
+#include <cctype>
+#include <sstream>
+#include <string>
 #include <vector>
 
 #include "photographs.h"
@@ -49,6 +52,28 @@ const std::string kQuickly =
     "for a; do shift; [ \"$last\" = --rays ] && a=3000; last=$a; set -- \"$@\" \"$a\"; done; "
     "'" PARHELION_BINARY "' $c \"$@\" $few; } && ";
 
+/// The anchor of a heading, as GitHub makes it: lower case, blanks as hyphens, without punctuation.
+std::string anchorOf(const std::string& heading) {
+  std::string anchor;
+  for (const char c : heading) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (c == ' ') anchor += '-';
+    if (std::isalnum(byte) || c == '-' || c == '_' || byte >= 0x80) anchor += static_cast<char>(std::tolower(byte));
+  }
+  return anchor;
+}
+
+/// Whether a page has a heading with this anchor.
+bool hasAnchor(const std::filesystem::path& page, const std::string& anchor) {
+  std::istringstream lines(readFile(page));
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t text = line.find_first_not_of('#');
+    if (text != 0 && text != std::string::npos && line[text] == ' ' && anchorOf(line.substr(text + 1)) == anchor)
+      return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 TEST_CASE("every parhelion command in the documentation runs") {
@@ -85,14 +110,17 @@ TEST_CASE("every whole scene in the documentation is valid") {
   CHECK(scenes >= 1);
 }
 
-TEST_CASE("every picture and page that the documentation links to is there") {
+TEST_CASE("every picture, page and heading that the documentation links to is there") {
   for (const auto& document : documents()) {
     const std::string text = readFile(document);
     for (std::size_t at = text.find("]("); at != std::string::npos; at = text.find("](", at + 1)) {
       const std::string target = text.substr(at + 2, text.find(')', at) - at - 2);
       if (target.rfind("http", 0) == 0) continue;
-      CHECK_MESSAGE(std::filesystem::exists(document.parent_path() / target), document.filename()
-                                                                                  << " links to " << target);
+      const std::size_t hash = target.find('#');
+      const auto page = hash == 0 ? document : document.parent_path() / target.substr(0, hash);
+      CHECK_MESSAGE(std::filesystem::exists(page), document.filename() << " links to " << target);
+      if (hash != std::string::npos && std::filesystem::exists(page))
+        CHECK_MESSAGE(hasAnchor(page, target.substr(hash + 1)), document.filename() << " links to " << target);
     }
   }
 }

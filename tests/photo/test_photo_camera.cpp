@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "error_text.h"
 #include "photo/photo_camera.h"
 #include "pointing_cameras.h"
 
@@ -31,7 +32,8 @@ TEST_CASE("a lens is as it is known, else as the Exif tells, else unknown") {
   const double focal = 28.0 * std::hypot(600.0, 400.0) / std::hypot(36.0, 24.0);
   const PhotoLens film = findLens(photograph, clues).value();
   CHECK(Camera(film.camera).focalLength() == doctest::Approx(focal).epsilon(1e-11));
-  CHECK(film.remark.starts_with("lens: "));
+  CHECK(film.remark ==
+        "lens: 466.7 pixels, 65.5 degrees from left to right, 28 mm on 35 mm film; from 35 mm equivalent 28 mm");
 
   Photograph told = photograph;
   told.exif.focalLength35mm = 28.0;
@@ -41,11 +43,24 @@ TEST_CASE("a lens is as it is known, else as the Exif tells, else unknown") {
   clues.fieldOfView = {FieldOfViewAxis::vertical, radians(50.0)};
   const PhotoLens known = findLens(told, clues).value();
   CHECK(Camera(known.camera).focalLength() == doctest::Approx(200.0 / std::tan(radians(25.0))).epsilon(1e-12));
-  CHECK(known.remark.empty());
+  CHECK(known.remark == "lens: 428.9 pixels, 69.9 degrees from left to right, 25.7 mm on 35 mm film");
 
   clues = {};
   clues.projection = Projection::equirectangular;
   CHECK(findLens(sized(800, 400), clues).value().camera.fieldOfView == 2.0 * kPi);
+  CHECK(findLens(sized(800, 400), clues).value().remark == "lens: 127.3 pixels, 360.0 degrees from left to right");
+}
+
+TEST_CASE("a lens is described by what it sees, which of a circular fisheye is its circle") {
+  CameraSettings fisheye;
+  fisheye.projection = Projection::fisheyeEquidistant;
+  fisheye.width = 600;
+  fisheye.height = 400;
+  fisheye.fieldOfViewAxis = FieldOfViewAxis::vertical;
+  fisheye.fieldOfView = kPi;
+  CHECK(describeLens(fisheye) == "lens: 127.3 pixels, 180.0 degrees across its image circle, 7.64 mm on 35 mm film");
+  fisheye.fieldOfViewAxis = FieldOfViewAxis::diagonal;
+  CHECK(contains(describeLens(fisheye), ", 149.8 degrees from left to right, "));
 }
 
 TEST_CASE(

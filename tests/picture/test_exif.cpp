@@ -23,6 +23,7 @@ enum Type : std::uint32_t {
   kShort,
   kLong,
   kRational,
+  kUndefined = 7,
   kSignedLong = 9,
   kSignedRational,
   kDouble = 12
@@ -78,7 +79,9 @@ class Tiff {
   }
 
  private:
-  static std::size_t wordBytes(std::uint32_t type) { return type <= kAscii ? 1 : type == kShort ? 2 : 4; }
+  static std::size_t wordBytes(std::uint32_t type) {
+    return type <= kAscii || type == kUndefined ? 1 : type == kShort ? 2 : 4;
+  }
   void append(std::uint32_t value, std::size_t count) { put(bytes_, value, count); }
 
   bool bigEndian_;
@@ -109,7 +112,7 @@ const std::vector<Tiff::Field> kPicture = {text(0x010F, "ACME Optical"), text(0x
 const std::vector<Tiff::Field> kCamera = {{0x920A, kRational, 1, {425, 100}}, {0xA002, kLong, 1, {4032}},
                                           {0xA003, kShort, 1, {3024}},        {0xA20E, kRational, 1, {18000, 1}},
                                           {0xA20F, kRational, 1, {9000, 2}},  {0xA210, kShort, 1, {3}},
-                                          {0xA405, kShort, 1, {28}}};
+                                          {0xA404, kRational, 1, {3, 2}},     {0xA405, kShort, 1, {28}}};
 
 Exif expected() {
   Exif exif;
@@ -119,6 +122,7 @@ Exif expected() {
   exif.focalPlaneX = 18000.0;
   exif.focalPlaneY = 4500.0;
   exif.focalPlaneUnit = 3;
+  exif.digitalZoom = 1.5;
   exif.pixelWidth = 4032;
   exif.pixelHeight = 3024;
   exif.make = "ACME Optical";
@@ -128,6 +132,35 @@ Exif expected() {
 
 Exif readCamera(const std::vector<Tiff::Field>& camera) { return readExif(block(true, {}, camera)); }
 
+/// A block with the notes of a maker: a directory of this field behind `heading`, in the same or the other byte order.
+/// It reads like the rest of the block, with offsets from the block's start.
+Bytes blockWithNote(bool bigEndian, bool sameOrder, const std::string& make, const std::string& heading,
+                    const Tiff::Field& field) {
+  std::vector<Tiff::Field> camera = {{0x927C, kUndefined, 0, {}}};
+  const std::vector<Tiff::Field> picture = {text(0x010F, make)};
+  Bytes note(heading.begin(), heading.end());
+  const std::size_t noteAt = block(bigEndian, picture, camera).size();
+  const Tiff order(bigEndian == sameOrder);
+  const auto put = [&](std::size_t value, std::size_t count) {
+    order.put(note, static_cast<std::uint32_t>(value), count);
+  };
+  put(1, 2);
+  put(field.tag, 2);
+  put(field.type, 2);
+  put(field.count, 4);
+  put(noteAt + heading.size() + 2 + 12 + 4, 4);
+  put(0, 4);
+  for (const std::uint32_t word : field.words) put(word, field.type == kShort ? 2 : 4);
+  camera[0].count = static_cast<std::uint32_t>(note.size());
+  camera[0].words.assign(note.begin(), note.end());
+  return block(bigEndian, picture, camera);
+}
+
+const std::string kSonyHeading("SONY DSC \0\0\0", 12);
+const Tiff::Field kCanonSize{0x0026, kShort, 8, {96, 2, 9, 9, 5472, 3648, 5472, 3648}};
+const Tiff::Field kOldCanonSize{0x0012, kShort, 6, {9, 9, 3504, 2336, 3504, 2336}};
+const Tiff::Field kSonySize{0xB02B, kLong, 2, {3376, 6000}};
+
 /// A copy of its own size on the heap, so that the address sanitizer sees any step outside it.
 Exif readExact(const Bytes& bytes) { return readExif(Bytes(bytes)); }
 
@@ -136,6 +169,50 @@ Exif readExact(const Bytes& bytes) { return readExif(Bytes(bytes)); }
 TEST_CASE("Exif of either byte order says the same") {
   CHECK(readExif(block(false, kPicture, kCamera)) == expected());
   CHECK(readExif(block(true, kPicture, kCamera)) == expected());
+}
+
+TEST_CASE("the notes of Canon and Sony tell the size that a picture had in the camera") {
+  for (const bool bigEndian : {false, true}) {
+    for (const bool sameOrder : {false, true}) {
+      const auto sizes = [&](const std::string& make, const std::string& heading, const Tiff::Field& field) {
+        return readExact(blockWithNote(bigEndian, sameOrder, make, heading, field)).sizesTaken;
+      };
+      CHECK(sizes("Canon", "", kCanonSize) == std::vector<PictureSize>{{5472, 3648}});
+      CHECK(sizes("Canon", "", kOldCanonSize) == std::vector<PictureSize>{{3504, 2336}});
+      CHECK(sizes("SONY", kSonyHeading, kSonySize) == std::vector<PictureSize>{{6000, 3376}});
+      CHECK(sizes("NIKON", "", kCanonSize).empty());
+      CHECK(sizes("SONY", "", kSonySize).empty());
+    }
+  }
+}
+
+TEST_CASE("notes of a maker that are cut off, too short a list or no numbers tell no size") {
+  const auto sizes = [](const Tiff::Field& field) {
+    return readExact(blockWithNote(true, true, "Canon", "", field)).sizesTaken;
+  };
+  CHECK(sizes({0x0026, kShort, 5, {96, 2, 9, 9, 5472}}).empty());
+  CHECK(sizes({0x0026, kShort, 8, {96, 2, 9, 9, 0, 0, 0, 0}}).empty());
+  CHECK(sizes({0x0026, kSignedLong, 6, {96, 2, 9, 9, 5472, 3648}}).empty());
+  CHECK(sizes({0x0026, kShort, 0xFFFFFFFF, {96, 2, 9, 9, 5472, 3648}}).empty());
+  const Bytes whole = blockWithNote(true, true, "Canon", "", kCanonSize);
+  for (std::size_t length = 0; length < whole.size(); ++length)
+    CHECK(readExact(Bytes(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(length))).sizesTaken.empty());
+  CHECK(readExact(blockWithNote(true, true, "SONY", "SONY DSC ", kSonySize)).sizesTaken.empty());
+}
+
+TEST_CASE("the interoperability directory tells the size that a picture had in the camera") {
+  for (const bool bigEndian : {false, true}) {
+    Tiff tiff(bigEndian);
+    const std::vector<Tiff::Field> interoperability = {{0x1001, kShort, 1, {4000}}, {0x1002, kLong, 1, {3000}}};
+    const std::uint32_t camera = kFirstDirectory + 2 + 12 + 4;
+    tiff.directory({{0x8769, kLong, 1, {camera}}});
+    tiff.directory({{0xA005, kLong, 1, {camera + 2 + 12 + 4}}});
+    tiff.directory(interoperability);
+    CHECK(readExact(tiff.bytes()).sizesTaken == std::vector<PictureSize>{{4000, 3000}});
+    Bytes cut = tiff.bytes();
+    cut.resize(cut.size() - 10);
+    CHECK(readExact(cut).sizesTaken.empty());
+  }
 }
 
 TEST_CASE("a focal length is returned as it is written, however absurd") {

@@ -77,7 +77,7 @@ TEST_CASE("the tone curve rises with the light, for greys and for colours, from 
     }
     CHECK(std::min({before.x, before.y, before.z}) > 0.999);
   }
-  CHECK(toneCurve(Vec3(1e-9)).x == doctest::Approx(1e-9).epsilon(1e-12).scale(0.0));
+  CHECK(toneCurve(Vec3(1e-9)).x == doctest::Approx(1e-9).epsilon(2e-9).scale(0.0));
   CHECK(toneCurve(Vec3(0.0)) == Vec3(0.0));
 }
 
@@ -103,7 +103,7 @@ TEST_CASE("colours out of gamut come in at the same luminance, with one componen
   CHECK(std::abs(display.x) < 1e-20);
   CHECK(display.y > display.z);
   const double luminance = glm::dot(kRec709Luminance, Vec3{-0.2, 0.8, 0.3});
-  CHECK(glm::dot(kRec709Luminance, display) == doctest::Approx(1e-6 * luminance).epsilon(1e-9).scale(0.0));
+  CHECK(glm::dot(kRec709Luminance, display) == doctest::Approx(1e-6 * luminance).epsilon(1e-6).scale(0.0));
   CHECK(toneCurve({-1.0, -1.0, -1.0}) == Vec3(0.0));
   CHECK(toneCurve({0.0, 0.0, -1.0}) == Vec3(0.0));
 }
@@ -127,20 +127,17 @@ TEST_CASE("sRGB encoding has its known values") {
   CHECK(srgbEncode(0.2140411) == doctest::Approx(0.5).epsilon(1e-6));
 }
 
-TEST_CASE("auto exposure brings the bright sky to 1 and ignores black corners and single pixels") {
-  Image image = rgbImage(100, 100, Vec3(0.25));
-  CHECK(autoExposure(image) == doctest::Approx(2.0));
-  for (Channel& c : image.channels) {
-    std::fill(c.samples.begin(), c.samples.begin() + 5000, 0.0F);
-    c.samples[7000] = 1e6F;
-    c.samples[7001] = std::nanf("");
-  }
-  CHECK(autoExposure(image) == doctest::Approx(2.0));
+TEST_CASE("bright parts stay apart and keep their hue") {
+  const auto code = [](double light) { return 255.0 * srgbEncode(toneCurve(Vec3(light)).x); };
+  CHECK(code(13.0) - code(1.1) > 40.0);
+  CHECK(code(100.0) - code(13.0) > 5.0);
+  const Vec3 orange = toneCurve(13.0 * Vec3(1.0, 0.5, 0.1));
+  CHECK(std::abs(orange.y / orange.x - 0.5) < 0.01);
+  CHECK(std::abs(orange.z / orange.x - 0.1) < 0.01);
 }
 
-TEST_CASE("a black image has exposure 0 and develops to black") {
+TEST_CASE("a black image develops to black") {
   const Image black = rgbImage(16, 16, Vec3(0.0));
-  CHECK(autoExposure(black) == 0.0);
   const Preview preview = developPreview(black, {});
   CHECK(std::all_of(preview.rgb.begin(), preview.rgb.end(), [](std::uint8_t v) { return v == 0; }));
   CHECK(preview.badPixels == 0);
@@ -154,7 +151,7 @@ TEST_CASE("pixels that are not finite are black and counted") {
   CHECK(preview.badPixels == 2);
   CHECK(preview.rgb[9] == 0);
   CHECK(preview.rgb[15] == 0);
-  CHECK(preview.rgb[0] > 200);
+  CHECK(preview.rgb[0] > 180);
 }
 
 TEST_CASE("the dither of a flat grey stays within a step and keeps its mean") {
@@ -168,7 +165,7 @@ TEST_CASE("the dither of a flat grey stays within a step and keeps its mean") {
     hi = std::max<int>(hi, v);
   }
   CHECK(hi - lo <= 1);
-  const double exact = 255.0 * srgbEncode(linear / std::sqrt(1.0 + linear * linear));
+  const double exact = 255.0 * srgbEncode(linear / (1.0 + linear));
   CHECK(std::abs(sum / static_cast<double>(preview.rgb.size()) - exact) < 1.0 / 64.0);
 }
 

@@ -105,4 +105,36 @@ TEST_CASE("the variance is that of pictures of other rays") {
   }
 }
 
+TEST_CASE("the bias of a thin arc covers what it lacks, and that of flat sky is less than the sky") {
+  // A line of one pixel, 20 times as bright as the sky: a few hits blur it.
+  for (const double sky : {0.05, 0.2, 20.0}) {
+    const auto density = [&](int x, int) { return x == 96 ? 20.0 * sky : sky; };
+    const Tally tally = poissonTally(fullSky(kSide), density, 41);
+    const Image image = adaptive(tally);
+    const std::vector<double> light = perPixel(image, tally), bias = perPixel(image, tally, kBiasChannel);
+    double lacks = 0.0, claimed = 0.0, flat = 0.0;
+    for (int y = 40; y < 152; ++y) {
+      const auto at = [&](int x) { return static_cast<std::size_t>(y * kSide + x); };
+      lacks += (density(96, y) - light[at(96)]) / 112.0;
+      claimed += bias[at(96)] / 112.0;
+      flat += bias[at(40)] / light[at(40)] / 112.0;
+    }
+    CHECK(claimed > std::abs(lacks));
+    CHECK(flat < (sky > 1.0 ? 0.15 : 1.0));  // of the light; a pixel's own light has a noise of 0.22
+  }
+}
+
+TEST_CASE("the bias is light: a thousandth of the weight is a thousandth of the bias") {
+  const auto density = [](int x, int y) { return std::abs(x - y) < 3 ? 4.0 : 0.2; };
+  const Image whole = adaptive(poissonTally(fullSky(kSide), density, 42));
+  const Image faint = adaptive(poissonTally(fullSky(kSide), density, 42, 1.0 / 1024.0));
+  double sum = 0.0, faintSum = 0.0;
+  for (std::size_t i = 0; i < whole.pixels(); ++i) {
+    sum += static_cast<double>((*whole.find(kBiasChannel))[i]);
+    faintSum += 1024.0 * static_cast<double>((*faint.find(kBiasChannel))[i]);
+  }
+  CHECK(sum > 0.0);
+  CHECK(faintSum == doctest::Approx(sum).epsilon(1e-4));
+}
+
 }  // namespace parhelion

@@ -43,4 +43,13 @@ TEST_CASE("confidence is black without light, below 0 and where numbers are not 
   CHECK_THROWS_AS(confidence(sky), std::invalid_argument);
 }
 
+TEST_CASE("confidence counts the bias like noise") {
+  Image sky = row({2.0, 2.0}, {0.06, 0.06});
+  std::vector<float>& bias = sky.add(kBiasChannel);
+  bias[1] = 0.16F;  // 8 % of the luminance: 10 % together
+  const Preview view = confidence(sky);
+  CHECK(static_cast<int>(view.rgb[0]) == 156);
+  CHECK(static_cast<int>(view.rgb[3]) == 128);
+}
+
 }  // namespace parhelion

@@ -51,4 +51,16 @@ TEST_CASE("one colour gives a grey picture, no rays give a black one, corners wi
   }
 }
 
+TEST_CASE("a pixel that no ray hit has the variance of one typical deposit, one without sky has none") {
+  Tally tally(allSky(), 1);
+  const int pixel = 32 * 64 + 20;
+  for (int i = 0; i < 3; ++i) tally.add(pixel, Vec3(0.5), i % 2 == 0);
+  const Image image = plainRadiance(tally);
+  const std::vector<float>& variance = *image.find(kVarianceChannel);
+  const double perLight = 1.0 / (1000.0 * Camera(tally.info.camera).solidAngle(21, 32));
+  CHECK(variance[pixel + 1] == doctest::Approx(0.25 * perLight * perLight).epsilon(1e-6).scale(0.0));
+  CHECK((*image.find("G"))[pixel + 1] == 0.0F);
+  CHECK(variance[0] == 0.0F);
+}
+
 }  // namespace parhelion

@@ -5,6 +5,10 @@
 #include "recon/adaptive/guard_band.h"
 #include "recon/methods.h"
 #include "recon/sky_light.h"
+#include "sky/radiance.h"
+
+#include <algorithm>
+#include <cmath>
 
 namespace parhelion {
 namespace {
@@ -51,6 +55,9 @@ class FilteredPixels {
   double luminance(std::size_t pixel) const { return static_cast<double>(at(pixel)[0]); }
   double difference(std::size_t pixel) const { return static_cast<double>(at(pixel)[1]); }
 
+  double leastError(std::size_t pixel) const { return static_cast<double>(filtered_.leastError[band_.cellOf(pixel)]); }
+  double bias(std::size_t pixel) const { return static_cast<double>(filtered_.bias[band_.cellOf(pixel)]); }
+
   /// X, Y and Z relative to white: the luminance in the ratios of the colour.
   Vec3 colour(std::size_t pixel) const {
     const double y = luminance(pixel);
@@ -89,6 +96,18 @@ Vec3 keepingAllLight(const FilteredPixels& pixels, const SkyLight& from) {
   return scale;
 }
 
+/// What a pixel's own light says of the bias there, in effective hits. A mean over a window is too small for single
+/// pixels that stand out in it, such as the tip of an arc. Where the filtered light differs from the pixel's own by
+/// more than 1.5 times the latter's noise, this is the root of what the square of the difference exceeds by.
+double biasByOwnLight(const SkyLight& from, std::size_t pixel, double filteredHits) {
+  constexpr double kSignificance = 1.5;
+  const double own = from.at(pixel).luminance;
+  const double variance =
+      std::max({from.tally().squares(static_cast<int>(pixel)) * from.hitsPerLight() * from.hitsPerLight(), own, 1.0});
+  return std::sqrt(
+      std::max(0.0, (own - filteredHits) * (own - filteredHits) - kSignificance * kSignificance * variance));
+}
+
 template <std::size_t N>
 Image reconstructed(const SkyLight& from, const Watch& watch) {
   const GuardBand band(from.tally().info.camera);
@@ -103,6 +122,12 @@ Image reconstructed(const SkyLight& from, const Watch& watch) {
   light.hits = from.hits();
   light.luminance = [&](std::size_t pixel) { return pixels.luminance(pixel); };
   light.difference = [&](std::size_t pixel) { return pixels.difference(pixel); };
+  light.leastError = [&](std::size_t pixel) { return pixels.leastError(pixel); };
+  light.bias = [&](std::size_t pixel) {
+    const double omega = static_cast<double>(sky.pixels().omega[band.cellOf(pixel)]);  // relative, as the light is
+    if (omega <= 0.0) return 0.0;
+    return std::max(pixels.bias(pixel), biasByOwnLight(from, pixel, pixels.luminance(pixel) * omega) / omega);
+  };
   light.rgb = [&](std::size_t pixel) {
     return N == 2 ? Vec3(pixels.luminance(pixel)) : toRgb * (toXyz * pixels.colour(pixel));
   };
@@ -116,7 +141,11 @@ Image reconstructed(const SkyLight& from, const Watch& watch) {
 
 ReconstructedSky reconstructSky(const Tally& tally, const AdaptiveSettings&, const Watch& watch) {
   const SkyLight light(tally);
-  if (light.hitsPerLight() <= 0.0) return {emptyRadiance(tally.width(), tally.height()), {}};
+  if (light.hitsPerLight() <= 0.0) {
+    ReconstructedSky dark{emptyRadiance(tally.width(), tally.height()), {}};
+    dark.image.add(kBiasChannel);
+    return dark;
+  }
   return {tally.colours() == 1 ? reconstructed<2>(light, watch) : reconstructed<4>(light, watch), {}};
 }
 

@@ -77,25 +77,16 @@ KernelField settleKernels(const SkyPyramid& sky, const Raster<Light<1>>& hits, d
   return sharpened(sky, hits, density, shapes, totalHits);
 }
 
-template <std::size_t From, std::size_t N>
-Raster<Light<N>> firstOf(const Raster<Light<From>>& light) {
-  Raster<Light<N>> first(light.width(), light.height());
-  for (std::size_t i = 0; i < light.size(); ++i) {
-    for (std::size_t c = 0; c < N; ++c) first[i][c] = light[i][c];
-  }
-  return first;
-}
-
 /// The kernels of a picture from a look at it at half the resolution: there the whole method is run once, but for its
 /// finest corrections, and what comes out places and shapes the kernels.
 KernelField lookedAtFrom(const SkyPyramid& half, const Raster<Light<2>>& halfLight, const SkyPyramid& sky,
                          const Raster<Light<1>>& hits, double totalHits) {
   const double n = hitsPerKernel(totalHits), caution = cautionFor(totalHits);
-  const KernelField field = settleKernels(half, firstOf<2, 1>(halfLight), totalHits);
+  const KernelField field = settleKernels(half, firstOf<1>(halfLight), totalHits);
   GatedSum<2> look(half, field, halfLight, 16.0 * n, kPilotShare * n);
   for (int finer = 0; finer < 3; ++finer) look.refine(caution);
 
-  Raster<Light<1>> density = firstOf<2, 1>(look.result());
+  Raster<Light<1>> density = firstOf<1>(look.result());
   const Raster<KernelShape> shapes = kernelShapes(half, density, n);
   Raster<Light<3>> sites(half.width(), half.height()), fine(sky.width(), sky.height());
   for (std::size_t i = 0; i < sites.size(); ++i) sites[i] = {density[i][0], shapes[i].p, shapes[i].q};
@@ -119,14 +110,17 @@ Filtered adaptiveFilter(const SkyPyramid& sky, const Raster<Light<N>>& light, do
   const double n = hitsPerKernel(totalHits), caution = cautionFor(totalHits);
 
   watch.at(0.0);
-  const KernelField field = lookedAtFrom(half, firstOf<N, 2>(halfLight), sky, firstOf<N, 1>(light), totalHits);
+  const KernelField field = lookedAtFrom(half, firstOf<2>(halfLight), sky, firstOf<1>(light), totalHits);
   watch.at(0.4);
   GatedSum<N> sum(sky, field, light, 16.0 * n, kPilotShare * n);
+  LeftOut leftOut(sky, field);
   for (const double done : {0.5, 0.6, 0.7, 0.8}) {
     watch.at(done);
-    sum.refine(caution);
+    sum.refine(caution, &leftOut);
   }
-  return {sum.takeResult(), sum.takeColour()};
+  watch.at(0.9);
+  sum.lookCloser(leftOut);
+  return {sum.takeResult(), sum.takeColour(), sum.takeLeastError(), leftOut.rootMeanSquare()};
 }
 
 template Filtered adaptiveFilter(const SkyPyramid&, const Raster<Light<2>>&, double, const Watch&);

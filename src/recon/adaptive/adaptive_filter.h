@@ -10,6 +10,8 @@ namespace parhelion {
 struct Filtered {
   Raster<Light<2>> luminance;  // and the difference between its halves
   Raster<Light<3>> colour;     // luminance, X and Z, of which only the ratios are of use; empty without colour
+  Raster<float> leastError;    // standard error of the luminance over the luminance, if hits were independent
+  Raster<float> bias;          // root mean square of the luminance that filtering moved elsewhere
 };
 
 /// Density-adaptive, anisotropic scatter with gated corrections. Light 0 of a pixel is its luminance in effective hits

@@ -21,6 +21,12 @@ float placementNoise(double hits, double pilotHits) {
   return static_cast<float>(std::sqrt(1.0 + 1.0 / (a * a) + 0.5 / (b * b * b)));
 }
 
+/// Deviation over the luminance where fixed kernels have `hits` hits under them and a pixel gets `density`: kernels are
+/// no narrower than a pixel.
+float fixedKernelNoise(double hits, float density) {
+  return 1.0F / std::sqrt(std::max(static_cast<float>(hits), density));
+}
+
 /// How many times a correction of colour must exceed its noise. Measured, as the error of R, G and B; at many hits less
 /// than for the luminance, for what is lost of colour shows at the arcs.
 constexpr double kColourCaution = 1.0;
@@ -36,22 +42,25 @@ GatedSum<N>::GatedSum(const SkyPyramid& sky, const KernelField& field, const Ras
       hits_(hits),
       placedBy_(placedBy),
       wide_(scatter<N>(sky, field, light, hits)),
-      sum_(sky.width(), sky.height()) {
+      sum_(sky.width(), sky.height()),
+      leastError_(sky.width(), sky.height()) {
   if (N == 4) colour_ = {sky.width(), sky.height()};
   const float noise = placementNoise(hits, placedBy);
   for (std::size_t i = 0; i < sum_.size(); ++i) {
     sum_[i] = {wide_[i][0], noise * wide_[i][1]};
+    leastError_[i] = noise * fixedKernelNoise(hits, field.pixels()[i].density);
     if constexpr (N == 4) colour_[i] = {wide_[i][0], wide_[i][2], wide_[i][3]};
   }
 }
 
 template <std::size_t N>
-void GatedSum<N>::refine(double caution) {
+void GatedSum<N>::refine(double caution, LeftOut* leftOut) {
   const double narrowHits = 0.25 * hits_;
   Raster<Light<N>> narrow = scatter<N>(sky_, field_, light_, narrowHits);
   const Corrections corrections = compareSizes<N>(sky_, field_, wide_, narrow, narrowHits);
   gates_ = correctionGates(corrections, field_, narrowHits, caution, gates_);
   if (N == 4) colourGates_ = colourGates(corrections, field_, narrowHits, kColourCaution, colourGates_);
+  if (leftOut != nullptr) leftOut->add(wide_, narrow, narrowHits, gates_);
   const float wideNoise = placementNoise(hits_, placedBy_), narrowNoise = placementNoise(narrowHits, placedBy_);
   forRows(sky_.height(), [&](int y) {
     for (int x = 0; x < sky_.width(); ++x) {
@@ -59,6 +68,9 @@ void GatedSum<N>::refine(double caution) {
       const float gate = gateAt(gates_, x, y);
       sum_.at(x, y)[0] += gate * (to[0] - from[0]);
       sum_.at(x, y)[1] += gate * (narrowNoise * to[1] - wideNoise * from[1]);
+      const float density = field_.pixels().at(x, y).density;
+      leastError_.at(x, y) +=
+          gate * (narrowNoise * fixedKernelNoise(narrowHits, density) - wideNoise * fixedKernelNoise(hits_, density));
       if constexpr (N == 4) {
         // In saturated arcs the noise of colour is larger than elsewhere: no more of it than of the luminance.
         const float colourGate = std::min(gate, gateAt(colourGates_, x, y));
@@ -71,6 +83,12 @@ void GatedSum<N>::refine(double caution) {
   });
   wide_ = std::move(narrow);
   hits_ = narrowHits;
+}
+
+template <std::size_t N>
+void GatedSum<N>::lookCloser(LeftOut& leftOut) const {
+  const double narrowHits = 0.25 * hits_;
+  leftOut.add(firstOf<2>(wide_), scatter<2>(sky_, field_, firstOf<2>(light_), narrowHits), narrowHits, {});
 }
 
 template class GatedSum<2>;

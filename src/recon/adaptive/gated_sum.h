@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "recon/adaptive/left_out.h"
 #include "recon/adaptive/scatter.h"
 
 namespace parhelion {
@@ -19,7 +20,11 @@ class GatedSum {
            double placedBy);
 
   /// Adds what kernels of a quarter of the hits make better. A correction must exceed `caution` times its noise.
-  void refine(double caution);
+  /// `leftOut`, if any, is told what was not added.
+  void refine(double caution, LeftOut* leftOut = nullptr);
+
+  /// Tells `leftOut` what kernels of a quarter of the hits would make better. Nothing is added.
+  void lookCloser(LeftOut& leftOut) const;
 
   /// Luminance and the difference between its halves, per relative solid angle (SkyLevel::omega).
   const Raster<Light<2>>& result() const { return sum_; }
@@ -29,6 +34,10 @@ class GatedSum {
   Raster<Light<2>> takeResult() { return std::move(sum_); }
   Raster<Light<3>> takeColour() { return std::move(colour_); }
 
+  /// Standard error of the luminance over the luminance, as it would be for independent hits of known density: what is
+  /// measured must not be less than it. Once, too.
+  Raster<float> takeLeastError() { return std::move(leastError_); }
+
  private:
   const SkyPyramid& sky_;
   const KernelField& field_;
@@ -37,7 +46,7 @@ class GatedSum {
   Raster<Light<N>> wide_;  // the last picture, of hits_
   Raster<Light<2>> sum_;
   Raster<Light<3>> colour_;
-  Raster<float> gates_, colourGates_;
+  Raster<float> gates_, colourGates_, leastError_;
 };
 
 extern template class GatedSum<2>;

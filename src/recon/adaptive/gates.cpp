@@ -64,9 +64,6 @@ const CorrectionNoise& correctionNoise() {
   return noise;
 }
 
-// A correction of 100 times the density is as sure as any: larger ones, in holes, would drown the sums around them.
-constexpr float kMostSquare = 1e4F;
-
 // A difference of 10 standard deviations is no noise but a pixel whose density was misjudged: a few of these must not
 // decide for all.
 constexpr float kMostOverNoise = 100.0F;
@@ -96,17 +93,12 @@ Raster<float> gatesFor(float CorrectionSquares::*squares, const Corrections& cor
   };
   const auto correction = sums(squares), noise = sums(&CorrectionSquares::noise);
 
-  constexpr double kWindow = 2.0;       // half side, standard deviations of the kernels
-  constexpr double kLeastWindow = 1.5;  // blocks
-  constexpr double kRounding = 1e-9;    // of the sums: at most 1e4 a block, 1e8 blocks, 1e-16 of that
-  const Raster<KernelSite>& sites = field.level(std::min(1, field.levels() - 1));  // a single pixel has but one level
+  constexpr double kRounding = 1e-9;  // of the sums: at most 1e4 a block, 1e8 blocks, 1e-16 of that
   Raster<float> gates(blocks.width(), blocks.height());
   forRows(blocks.height(), [&](int y) {
     for (int x = 0; x < blocks.width(); ++x) {
       if (blocks.at(x, y).pixels <= 0.0F) continue;
-      const float density = sites.at(x, y).density;
-      const double sigma = std::sqrt(static_cast<double>(kernelVariance(hits, density)));
-      const int r = static_cast<int>(std::clamp(0.5 * kWindow * sigma, kLeastWindow, kBeyondAnyPicture) + 0.5);
+      const int r = windowRadius(field, x, y, hits);
       const double kept = correction.square(x, y, r), lost = caution * noise.square(x, y, r);
       const float coarserGate = coarser.size() > 0 ? coarser.at(x, y) : 1.0F;
       if (kept > lost + kRounding) gates.at(x, y) = coarserGate * static_cast<float>(1.0 - lost / kept);
@@ -116,6 +108,14 @@ Raster<float> gatesFor(float CorrectionSquares::*squares, const Corrections& cor
 }
 
 }  // namespace
+
+int windowRadius(const KernelField& field, int x, int y, double hits) {
+  constexpr double kWindow = 2.0;                     // half side, standard deviations of the kernels
+  constexpr double kLeastWindow = 1.5;                // blocks
+  const int level = std::min(1, field.levels() - 1);  // a single pixel has but one
+  const double sigma = std::sqrt(static_cast<double>(kernelVariance(hits, field.level(level).at(x, y).density)));
+  return static_cast<int>(std::clamp(0.5 * kWindow * sigma, kLeastWindow, kBeyondAnyPicture) + 0.5);
+}
 
 template <std::size_t N>
 Corrections compareSizes(const SkyPyramid& sky, const KernelField& field, const Raster<Light<N>>& wide,

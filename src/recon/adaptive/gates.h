@@ -5,6 +5,14 @@
 
 namespace parhelion {
 
+/// Squares of corrections count at most so much: a correction of 100 times the density is as sure as any, and larger
+/// ones, in holes, would drown the sums around them.
+inline constexpr float kMostSquare = 1e4F;
+
+/// Half the side, in blocks of 2 x 2 pixels, of the windows over which corrections by kernels of `hits` hits are
+/// averaged around a block: somewhat wider than the kernels.
+int windowRadius(const KernelField& field, int x, int y, double hits);
+
 /// Sums over the sky pixels of a block of 2 x 2. They decide how much of a correction is kept. A correction is the
 /// difference that kernels of n hits make to the picture of kernels of 4n hits. Everything is relative to the density
 /// that placed the kernels.

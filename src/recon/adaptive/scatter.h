@@ -12,6 +12,16 @@ namespace parhelion {
 template <std::size_t N>
 using Light = std::array<float, N>;
 
+/// The first N kinds of light.
+template <std::size_t N, std::size_t From>
+Raster<Light<N>> firstOf(const Raster<Light<From>>& light) {
+  Raster<Light<N>> first(light.width(), light.height());
+  for (std::size_t i = 0; i < light.size(); ++i) {
+    for (std::size_t c = 0; c < N; ++c) first[i][c] = light[i][c];
+  }
+  return first;
+}
+
 /// Spreads the light of every pixel over a kernel. The kernel has about `hits` hits under it at the pixel that the
 /// light comes from. Then the light in every pixel is divided by the solid angle that a kernel of this receiving pixel
 /// covers.
