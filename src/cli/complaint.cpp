@@ -74,8 +74,8 @@ std::string ofExtras(const CLI::App& app) {
 }  // namespace
 
 std::string complaint(const CLI::App* app, const CLI::Error& error) {
-  // Without a command CLI11 complains of that, whatever the words are that are none.
-  const bool ofWords = app->get_subcommands().empty() || dynamic_cast<const CLI::ExtrasError*>(&error);
+  // CLI11 complains of what is missing first: "A subcommand is required" where one is misspelt.
+  const bool ofWords = dynamic_cast<const CLI::RequiredError*>(&error) || dynamic_cast<const CLI::ExtrasError*>(&error);
   const std::string extras = ofWords ? ofExtras(*app) : "";
   return "parhelion: error: " + (extras.empty() ? error.what() : extras) + "\n(--help lists what there is)\n";
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "picture/picture_text.h"
 
+#include <utility>
+
 #include "picture/exr.h"
 #include "picture/file_kind.h"
 #include "picture/jpeg.h"
@@ -16,7 +18,8 @@ std::map<std::string, std::string> readPictureText(const std::filesystem::path& 
     case FileKind::Family::png:
       return readPngText(path);
     case FileKind::Family::jpeg:
-      return {{"comment", readJpegComments(path)}};
+      if (std::string comments = readJpegComments(path); !comments.empty()) return {{"comment", std::move(comments)}};
+      return {};
     default:
       throw pictureError(path, "not a JPEG, PNG or EXR file");
   }
