@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <functional>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 namespace parhelion {
@@ -52,6 +53,18 @@ inline double chiSquareSigma(const std::vector<double>& samples, const std::func
     expected[i] = static_cast<double>(samples.size()) *
                   (cumulative(lo + (hi - lo) * (i + 1) / bins) - cumulative(lo + (hi - lo) * i / bins));
   return chiSquareSigma(observed, expected);
+}
+
+/// The cumulative distribution of an unnormalised density on [lo, hi], by the midpoint rule at equal steps.
+inline std::function<double(double)> cumulativeOf(const std::function<double(double)>& density, double lo, double hi) {
+  constexpr int kSteps = 100000;
+  std::vector<double> sums(1, 0.0);
+  for (int i = 0; i < kSteps; ++i) sums.push_back(sums.back() + density(lo + (hi - lo) * (i + 0.5) / kSteps));
+  return [=, sums = std::move(sums)](double x) {
+    const double at = std::clamp((x - lo) / (hi - lo), 0.0, 1.0) * kSteps;
+    const int i = std::min(static_cast<int>(at), kSteps - 1);
+    return (sums[i] + (at - i) * (sums[i + 1] - sums[i])) / sums.back();
+  };
 }
 
 /// Mean and standard error of a sample, one value at a time (Welford).

@@ -37,7 +37,7 @@ void printChannel(const Channel& channel) {
 }
 
 int infoExr(const std::string& path) {
-  const ExrFile exr = readExr(path);
+  const ExrFile exr = readExr(path, ExrColours::asStored);
   std::printf("%s: EXR, %d x %d\n", path.c_str(), exr.image.width, exr.image.height);
   for (const Channel& channel : exr.image.channels) printChannel(channel);
   printTexts(exr.attributes, path);

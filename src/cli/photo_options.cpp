@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/photo_options.h"
 
+#include <cmath>
 #include <stdexcept>
 
 #include "cli/number_list.h"
@@ -67,6 +68,11 @@ void PhotoOptions::addTo(CLI::App& command) {
   command.add_option("--distortion", distortion, "Radial distortion of the lens; see camera.distortion of a scene")
       ->type_name("K1[,K2[,K3]]")
       ->check(distortionPattern());
+  command
+      .add_option("--shift", shift,
+                  "How far the picture lies to the right of the optical axis and above it; see camera.shift of a scene")
+      ->type_name("X,Y")
+      ->check(pattern(",", "X,Y in focal lengths"));
   command.add_option("--sun", sun, "Where the sun is in the picture, or outside it, pixels from its upper left corner")
       ->type_name("X,Y")
       ->check(pattern(",", "X,Y in pixels"));
@@ -87,7 +93,8 @@ void PhotoOptions::addTo(CLI::App& command) {
 
 bool PhotoOptions::given() const {
   return !projection.empty() || fovHorizontal || fovVertical || fovDiagonal || focal35mm || imageCircle ||
-         !distortion.empty() || !sun.empty() || !horizon.empty() || !known.empty() || azimuth || elevation || roll;
+         !distortion.empty() || !shift.empty() || !sun.empty() || !horizon.empty() || !known.empty() || azimuth ||
+         elevation || roll;
 }
 
 LensClues PhotoOptions::lensClues(const std::string& path) const {
@@ -98,6 +105,13 @@ LensClues PhotoOptions::lensClues(const std::string& path) const {
   if (std::vector<double> k = coefficients(distortion); !k.empty()) {
     k.resize(3);
     clues.distortion = {k[0], k[1], k[2]};
+  }
+  if (!shift.empty()) {
+    const Vec2 by = place(numbersIn(shift, ","));
+    constexpr double kMost = 10.0;  // as in scenes
+    if (!(std::abs(by.x) <= kMost && std::abs(by.y) <= kMost))
+      refuse(path, "--shift " + shift + " is in focal lengths, from -10 to 10 each");
+    clues.shift = {by.x, by.y};
   }
   const std::pair<const std::optional<double>&, FieldOfViewAxis> fields[] = {
       {fovHorizontal, FieldOfViewAxis::horizontal},
@@ -114,8 +128,25 @@ LensClues PhotoOptions::lensClues(const std::string& path) const {
   return clues;
 }
 
+/// A picture of hemispheres leaves nothing to be said of its lens.
+void requireHemispheres(const Photograph& photograph, const std::string& path, const LensClues& clues) {
+  const std::string name(nameOf(clues.projection));
+  if (isMirrored(clues.projection)) refuse(path, "no photograph shows the sky from outside, as a " + name + " does");
+  if (clues.fieldOfView || clues.focal35mm || clues.imageCircle || !clues.distortion.none() ||
+      !(clues.shift == Shift()))
+    refuse(path, "a " + name +
+                     " always shows two whole hemispheres; leave out field of view, focal length, image circle, "
+                     "distortion and shift");
+  if (photograph.width % 2 != 0)
+    refuse(path, "it is " + std::to_string(photograph.width) +
+                     " pixels wide; two hemispheres side by side need an even width");
+}
+
 PhotoLens PhotoOptions::lens(const Photograph& photograph, const std::string& path) const {
   const LensClues clues = lensClues(path);
+  if (showsHemispheres(clues.projection)) requireHemispheres(photograph, path, clues);
+  if (isPanorama(clues.projection) && !(clues.shift == Shift()))
+    refuse(path, "a panorama has no optical axis that --shift could move; leave it out");
   try {
     if (const std::optional<PhotoLens> found = findLens(photograph, clues)) return *found;
   } catch (const std::invalid_argument& problem) {

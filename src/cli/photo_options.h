@@ -16,7 +16,7 @@ struct PhotoOptions {
   std::string projection;
   std::optional<double> fovHorizontal, fovVertical, fovDiagonal;  // degrees
   std::optional<double> focal35mm, imageCircle;                   // mm; degrees
-  std::string distortion, sun;
+  std::string distortion, shift, sun;
   std::vector<std::string> horizon, known;
   std::optional<double> sunElevation, azimuth, elevation, roll;  // degrees
   bool assumeSrgb = false;

@@ -6,6 +6,7 @@
 
 #include "cli/outputs.h"
 #include "cli/run_options.h"
+#include "math/names.h"
 #include "picture/atomic_file.h"
 #include "picture/photograph.h"
 
@@ -30,11 +31,23 @@ void PictureOptions::addTo(CLI::App& command) {
   command.add_option("--exposure", exposure, "Exposure of the preview; chosen by the picture when left out")
       ->type_name("STOPS")
       ->check(number(-100.0, 100.0));
+  addGamut(command, gamut);
 }
+
+void addGamut(CLI::App& command, std::string& gamut) {
+  command
+      .add_option("--gamut", gamut,
+                  "Colours of the EXR outside Rec.709: exact, with negative components, or mixed with grey of the same "
+                  "luminance until there are none; exact when left out")
+      ->type_name("exact|clip")
+      ->check(nameOfOne<Gamut>());
+}
+
+Gamut gamutOf(const std::string& gamut) { return gamut.empty() ? Gamut::exact : valueOf<Gamut>(gamut); }
 
 SkyFiles PictureOptions::files(const std::string& input) const {
   // All of it is thrown away, as benchmarks want it.
-  if (isNull(output)) return {output, output, exposure};
+  if (isNull(output)) return {output, output, exposure, gamutOf(gamut)};
   std::filesystem::path exr = output;
   if (output.empty() || !exr.has_filename() || std::filesystem::is_directory(exr)) exr /= ownName(input);
   const std::string extension = extensionOf(exr);
@@ -48,7 +61,7 @@ SkyFiles PictureOptions::files(const std::string& input) const {
   std::filesystem::path png = exr;
   if (extension != ".exr") exr.replace_extension(".exr");
   if (extension != ".png") png.replace_extension(".png");
-  return {exr, png, exposure};
+  return {exr, png, exposure, gamutOf(gamut)};
 }
 
 void writePicture(ReconstructedSky sky, const TallyInfo& info, const LoadedScene& loaded, const PictureOptions& options,

@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "picture/gamut.h"
 #include "recon/reconstruct.h"
 #include "render/sky_files.h"
 #include "scene/parse_scene.h"
@@ -17,6 +18,7 @@ namespace parhelion::cli {
 struct PictureOptions {
   std::string output;              // of the EXR; empty: named after the input, in the current folder
   std::optional<double> exposure;  // stops; empty: chosen by the picture
+  std::string gamut;               // "exact", "clip"; empty: exact
 
   void addTo(CLI::App& command);
 
@@ -25,6 +27,12 @@ struct PictureOptions {
   /// to, and where there is no name to call them by.
   SkyFiles files(const std::string& input) const;
 };
+
+/// Adds --gamut, which says what becomes of colours outside Rec.709, to a subcommand.
+void addGamut(CLI::App& command, std::string& gamut);
+
+/// What --gamut says.
+Gamut gamutOf(const std::string& gamut);
 
 /// Draws the sun into a sky reconstructed from a tally with that info if the scene makes it visible, and writes the
 /// linear EXR and the PNG preview. Says on stderr what was written, and what the reconstruction remarked, unless

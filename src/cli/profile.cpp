@@ -42,6 +42,7 @@ nlohmann::ordered_json json(const ScatterProfile::Summary& s) {
   json["delta"] = s.undeviated;
   json["external"] = s.external;
   json["by_order"] = s.byOrder;
+  json["by_order_rest"] = s.byOrderRest;
   json["mean_path"] = s.meanPath;
   json["mean_path_stderr"] = s.meanPathError;
   json["volume"] = s.volume;

@@ -98,10 +98,11 @@ void addOverrides(CLI::App& command, std::vector<std::string>& overrides) {
 void RunOptions::addTo(CLI::App& command, bool hasImage) {
   command.add_option("scene", scene, "The scene file")->required()->type_name("SCENE");
   addTracingTo(command, hasImage);
-  if (hasImage)
-    command.add_option("--resolution", resolution, "Size of the picture in pixels")
-        ->type_name("WxH")
-        ->check(CLI::Validator(validResolution, ""));
+  if (!hasImage) return;
+  command.add_option("--resolution", resolution, "Size of the picture in pixels")
+      ->type_name("WxH")
+      ->check(CLI::Validator(validResolution, ""));
+  command.add_flag("--no-ground", noGround, "Leave out what lies below the horizon, as camera.horizon = \"cut\" does");
 }
 
 void RunOptions::addTracingTo(CLI::App& command, bool hasImage) {
@@ -148,6 +149,7 @@ LoadedScene RunOptions::load(const std::vector<std::string>& more) const {
     size.replace(size.find('x'), 1, ",");
     all.push_back("camera.resolution=[" + size + "]");
   }
+  if (noGround) all.emplace_back("camera.horizon='cut'");
   all.insert(all.end(), more.begin(), more.end());
   if (!sceneText_) sceneText_ = sceneTextOf(scene);
   return parseSceneOf(scene, *sceneText_, all);

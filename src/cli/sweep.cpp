@@ -4,6 +4,7 @@
 
 #include "cli/commands.h"
 #include "cli/outputs.h"
+#include "cli/picture.h"
 #include "cli/run_options.h"
 #include "cli/trace_watch.h"
 #include "render/sky_files.h"
@@ -18,7 +19,7 @@ namespace {
 struct SweepOptions {
   RunOptions run;
   std::vector<std::string> keys;
-  std::string output, contactSheet;
+  std::string output, contactSheet, gamut;
   std::optional<double> exposure;
   std::size_t first = 0;
   bool product = false;
@@ -129,7 +130,8 @@ int runSweep(const SweepOptions& options) {
   const FrameNames names = frameNamesOf(options.output);
   const std::vector<std::vector<std::string>> values = valuesOf(options);
   const FrameLoader load = [&](const std::vector<std::string>& own) { return options.run.load(own); };
-  const std::vector<SweepFrame> frames = planFrames(values, load, names, options.first, options.run.overwrite);
+  const std::vector<SweepFrame> frames =
+      planFrames(values, load, names, options.first, gamutOf(options.gamut), options.run.overwrite);
   requireOutputsOf(options, frames);
   if (!options.run.quiet) reportPlan(frames);
   const StopSignal stop;
@@ -164,6 +166,7 @@ void addOptions(CLI::App& command, SweepOptions& options) {
                   "Exposure of all previews; the median of what the frames would choose when left out")
       ->type_name("STOPS")
       ->check(number(-100.0, 100.0));
+  addGamut(command, options.gamut);
   command.add_option("--contact-sheet", options.contactSheet, "All frames small on one picture, with their values")
       ->type_name("FILE.png")
       ->check(fileOfKind({".png"}, ".png"));

@@ -39,7 +39,7 @@ ViewInput readViewInput(const std::string& path, const PhotographRules& rules) {
     input.photograph = readPhotograph(path, rules);
     return input;
   }
-  ExrFile exr = readExr(path);
+  ExrFile exr = readExr(path, exrColours(rules));
   input.photograph.width = exr.image.width;
   input.photograph.height = exr.image.height;
   input.photograph.text = std::move(exr.attributes);

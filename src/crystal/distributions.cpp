@@ -87,15 +87,18 @@ double centreOf(const AngleDistribution& distribution) {
   return std::visit([](const auto& d) { return centre(d); }, distribution);
 }
 
-std::optional<double> uniformWidth(const AngleDistribution& distribution) {
-  using Width = std::optional<double>;
+bool isFree(const AngleDistribution& distribution, double period) {
+  const auto isWhole = [=](const UniformRange& d) {
+    const double width = std::abs(d.to - d.from);
+    return width > kAngleSlack && std::abs(std::remainder(width, period)) < kAngleSlack;
+  };
   return std::visit(Overloaded{
-                        [](const FixedValue&) { return Width(); },
-                        [](const Normal&) { return Width(); },
-                        [](const UniformRange& d) { return Width(d.to - d.from); },
-                        [](const PolarNormal&) { return Width(); },
-                        [](const Arcsine&) { return Width(); },
-                        [](const Laplace&) { return Width(); },
+                        [](const FixedValue&) { return false; },
+                        [](const Normal&) { return false; },
+                        isWhole,
+                        [](const PolarNormal&) { return false; },
+                        [](const Arcsine&) { return false; },
+                        [](const Laplace&) { return false; },
                     },
                     distribution);
 }

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <functional>
-#include <optional>
 #include <string_view>
 #include <variant>
 
@@ -11,7 +10,8 @@
 namespace parhelion {
 
 // Distributions of one angle (radians) or of the aspect ratio (no unit). Each but the fixed value has two numbers, its
-// members in the order of its words.
+// members in the order of its words. None stops at a pole: what of a zenith angle's lies beyond stands for axes that
+// come down on the other side (population_settings.h).
 
 /// How people write a distribution: its name and what its two numbers are.
 struct DistributionWords {
@@ -24,7 +24,7 @@ struct FixedValue {
 };
 
 /// exp(-(x - mean)^2 / 2 sigma^2). For the zenith angle of an axis this is the density per solid angle, so that the
-/// density in the angle carries a factor sin(zenith); about the zenith itself <t^2> = 2 sigma^2.
+/// density in the angle carries a factor |sin(zenith)|; about the zenith itself <t^2> = 2 sigma^2.
 struct Normal {
   static constexpr DistributionWords kWords{"normal", "mean", "sigma"};
   double mean = 0.0;
@@ -37,14 +37,14 @@ struct UniformRange {
   double to = 0.0;
 };
 
-/// exp(-(x - mean)^2 / 2 sigma^2) in the angle itself, without the factor sin(zenith); <t^2> = sigma^2.
+/// exp(-(x - mean)^2 / 2 sigma^2) in the angle itself, without the factor |sin(zenith)|; <t^2> = sigma^2.
 struct PolarNormal {
   static constexpr DistributionWords kWords{"polar-normal", "mean", "sigma"};
   double mean = 0.0;
   double sigma = 0.0;
 };
 
-/// mean + amplitude * sin(phase) with a uniform phase: a crystal that flutters. At mean 0 the folded arcsine.
+/// mean + amplitude * sin(phase) with a uniform phase: a crystal that flutters.
 struct Arcsine {
   static constexpr DistributionWords kWords{"arcsine", "mean", "amplitude"};
   double mean = 0.0;
@@ -65,6 +65,10 @@ using AspectDistribution = std::variant<FixedValue, Normal, UniformRange>;
 
 inline constexpr double kThinnestAspect = 1e-4;
 inline constexpr double kLongestAspect = 1e4;
+
+/// Degrees of a scene file become radians with a few 1e-16; an angle off by this much (rad) moves nothing that can be
+/// seen.
+inline constexpr double kAngleSlack = 1e-12;
 
 /// Whether a Normal is a density per unit of the value, or per solid angle about a pole at 0 and pi.
 enum class DensityPer { unit, solidAngle };
@@ -89,13 +93,14 @@ Sampling samplingOf(const AngleDistribution& distribution, DensityPer per);
 /// The value about which a distribution is symmetric: all of them are, about their mean.
 double centreOf(const AngleDistribution& distribution);
 
-/// How wide a uniform distribution is; empty for the others.
-std::optional<double> uniformWidth(const AngleDistribution& distribution);
+/// Whether angles that differ by `period` are all equally likely: a uniform distribution over whole periods.
+bool isFree(const AngleDistribution& distribution, double period);
 
 /// The same distribution about `shift` more.
 AngleDistribution shifted(const AngleDistribution& distribution, double shift);
 
-/// A tilt about 0 as zenith angles from a pole: a uniform one is one-sided, since a zenith angle is positive.
+/// A tilt about 0 as zenith angles of an axis that has any azimuth, so that both sides of the pole are alike: a uniform
+/// one is one-sided.
 AngleDistribution fromPole(const AngleDistribution& tilt);
 
 /// What a distribution of zenith angles is as one of azimuths or rolls, which do not know solid angles.

@@ -13,6 +13,16 @@ namespace parhelion {
 namespace {
 
 constexpr int kCells = 4096;
+constexpr double kUnlimited = std::numeric_limits<double>::infinity();
+
+ValueSampler turnSampler(const AngleDistribution& turn) { return {turn, DensityPer::unit, -kUnlimited, kUnlimited}; }
+
+/// Zenith angles with their signs. Where all azimuths are alike so are both sides of a pole, for a crystal whose
+/// sixfold axis hides the half turn of roll: a spread about the zenith needs one side only.
+ValueSampler zenithSampler(const AngleDistribution& zenith, bool sidesAlike) {
+  const bool oneSide = sidesAlike && centreOf(zenith) == 0.0;
+  return {zenith, DensityPer::solidAngle, oneSide ? 0.0 : -kUnlimited, kUnlimited};
+}
 
 }  // namespace
 
@@ -33,20 +43,19 @@ ValueSampler::ValueSampler(const AngleDistribution& distribution, DensityPer per
 
 OrientationSampler::OrientationSampler(const OrientationSettings& settings) {
   using Kind = OrientationQuantile::Kind;
-  constexpr double kFree = std::numeric_limits<double>::infinity();
-  const auto zenith = [](const AngleDistribution& d) { return ValueSampler(d, DensityPer::solidAngle, 0.0, kPi); };
-  const auto turn = [](const AngleDistribution& d) { return ValueSampler(d, DensityPer::unit, -kFree, kFree); };
-  const UniformRange wholeTurn{0.0, 2.0 * kPi};
-  std::visit(Overloaded{[&](const RandomOrientation&) { quantile_.kind = Kind::random; },
-                        [&](const AxisOrientation& s) {
-                          quantile_.kind = Kind::axis;
-                          angles_ = {zenith(s.zenith), turn(s.azimuth), turn(s.roll)};
-                        },
-                        [&](const LowitzOrientation& s) {
-                          quantile_.kind = Kind::lowitz;
-                          angles_ = {zenith(s.axisZenith), turn(wholeTurn), turn(s.spin)};
-                        }},
-             settings);
+  constexpr double kTurn = 2.0 * kPi;
+  std::visit(
+      Overloaded{
+          [&](const RandomOrientation&) { quantile_.kind = Kind::random; },
+          [&](const AxisOrientation& s) {
+            quantile_.kind = Kind::axis;
+            angles_ = {zenithSampler(s.zenith, isFree(s.azimuth, kTurn)), turnSampler(s.azimuth), turnSampler(s.roll)};
+          },
+          [&](const LowitzOrientation& s) {
+            quantile_.kind = Kind::lowitz;
+            angles_ = {zenithSampler(s.axisZenith, false), turnSampler(UniformRange{0.0, kTurn}), turnSampler(s.spin)};
+          }},
+      settings);
   if (angles_.empty()) return;
   quantile_.zenith = angles_[0].quantile();
   quantile_.azimuth = angles_[1].quantile();

@@ -13,7 +13,7 @@ namespace parhelion {
 /// One angle or aspect ratio, drawn by inversion: a single number in (0, 1) gives the value.
 class ValueSampler {
  public:
-  /// A plain value in [lowest, highest], to which distributions that are tabulated are cut off.
+  /// A plain value. Where a table is needed, nothing of the distribution lies outside [lowest, highest].
   ValueSampler(const AngleDistribution& distribution, DensityPer per, double lowest, double highest);
 
   double sample(double u) const { return quantile_.at(u); }

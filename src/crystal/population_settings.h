@@ -10,7 +10,9 @@
 
 namespace parhelion {
 
-// Orientations. Zenith angles outside [0, pi] are folded back into it.
+// Orientations. A zenith angle is a rotation by a signed angle from the vertical: an axis that is turned beyond a pole,
+// past 0 or pi, comes down on the other side. At zenith angle -t it points where it does at t and an azimuth pi
+// further, and the roll is pi further, too.
 
 /// Every rotation equally likely.
 struct RandomOrientation {};

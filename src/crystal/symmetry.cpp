@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "math/overloaded.h"
 
-// With M = diag(1, -1, 1), R(zenith, azimuth, roll) of rotation.h and a crystal K, which M leaves as it is:
+// With M = diag(1, -1, 1), R(zenith, azimuth, roll) of rotation_columns.h for any angles, also zenith angles beyond the
+// poles, and a crystal K, which M leaves as it is:
 //   M R(z, a, r) K = R(z, -a, -r) K                  M turns rotations about y as they are, those about z around,
 //   R(z, a, r) K = R(z, a, r + 60 degrees) K         K has a sixfold axis,
 //   R(z, a, r) K = R(pi - z, a + pi, -r) K           for a K whose ends are alike: the c axis seen from its other end.
@@ -19,38 +19,28 @@ namespace parhelion {
 
 namespace {
 
-// Degrees of a scene file become radians with a few 1e-16; a spread off by this much moves nothing that can be seen.
-constexpr double kAngleSlack = 1e-12;
-
-bool isMultipleOf(double x, double period) { return std::abs(std::remainder(x, period)) < kAngleSlack; }
-
-/// Uniform over whole periods.
-bool isFree(const AngleDistribution& distribution, double period) {
-  const std::optional<double> width = uniformWidth(distribution);
-  return width && std::abs(*width) > kAngleSlack && isMultipleOf(*width, period);
-}
+constexpr double kTurn = 2.0 * kPi;
 
 /// Unchanged by angle -> 2 `about` - angle, angles that differ by `period` being the same.
 bool isEven(const AngleDistribution& distribution, double about, double period) {
-  return isFree(distribution, period) || isMultipleOf(2.0 * (centreOf(distribution) - about), period);
+  const double shift = 2.0 * (centreOf(distribution) - about);
+  return isFree(distribution, period) || std::abs(std::remainder(shift, period)) < kAngleSlack;
 }
 
-/// The same for a zenith angle about the horizon. Zenith angles are cut off at the poles, hence without period.
-bool isEvenAboutHorizon(const AngleDistribution& zenith) {
-  return std::abs(centreOf(zenith) - 0.5 * kPi) < kAngleSlack;
-}
+/// The same for a zenith angle, signed, about the horizon.
+bool isEvenAboutHorizon(const AngleDistribution& zenith) { return isEven(zenith, 0.5 * kPi, kTurn); }
 
 bool isMirrorSymmetric(const RandomOrientation&, bool) { return true; }
 
 bool isMirrorSymmetric(const AxisOrientation& axis, bool endsAlike) {
-  constexpr double kTurn = 2.0 * kPi, kSixth = kPi / 3.0;
+  constexpr double kSixth = kPi / 3.0;
   if (isEven(axis.azimuth, 0.0, kTurn) && isEven(axis.roll, 0.0, kSixth)) return true;
   // With the ends exchanged the mirror image of (z, a, r) is (pi - z, pi - a, r), whatever the roll.
   return endsAlike && isEvenAboutHorizon(axis.zenith) && isEven(axis.azimuth, 0.5 * kPi, kTurn);
 }
 
 bool isMirrorSymmetric(const LowitzOrientation& lowitz, bool endsAlike) {
-  const double spinPeriod = endsAlike ? kPi : 2.0 * kPi;  // half a turn about an edge-to-edge axis exchanges the ends
+  const double spinPeriod = endsAlike ? kPi : kTurn;  // half a turn about an edge-to-edge axis exchanges the ends
   return isEvenAboutHorizon(lowitz.axisZenith) || isEven(lowitz.spin, 0.0, spinPeriod);
 }
 

@@ -9,9 +9,9 @@
 
 namespace parhelion {
 
-/// The continuous visible sun, as the 1931 observer sees it.
+/// A continuous spectrum, as the 1931 observer sees it: sunlight, equal energy, or an illuminant of the CIE.
 struct ContinuousSpectrum {
-  enum class Source { extraterrestrial, airMass1_5, equal } source = Source::extraterrestrial;
+  enum class Source { extraterrestrial, airMass1_5, equal, a, d50, d55, d65, d75, e } source = Source::extraterrestrial;
 };
 
 constexpr std::string_view nameOf(ContinuousSpectrum::Source value) {
@@ -22,6 +22,18 @@ constexpr std::string_view nameOf(ContinuousSpectrum::Source value) {
       return "sun-am1.5";
     case ContinuousSpectrum::Source::equal:
       return "equal";
+    case ContinuousSpectrum::Source::a:
+      return "A";
+    case ContinuousSpectrum::Source::d50:
+      return "D50";
+    case ContinuousSpectrum::Source::d55:
+      return "D55";
+    case ContinuousSpectrum::Source::d65:
+      return "D65";
+    case ContinuousSpectrum::Source::d75:
+      return "D75";
+    case ContinuousSpectrum::Source::e:
+      return "E";
   }
   return {};
 }
@@ -31,12 +43,18 @@ struct MonochromaticSpectrum {
   double wavelength = 550.0;  // nm
 };
 
-/// Spectral lines of equal energy, coloured by the 1931 observer.
+/// Spectral lines, coloured by the 1931 observer.
 struct LineSpectrum {
-  std::vector<double> wavelengths;  // nm
+  std::vector<double> wavelengths;   // nm
+  std::vector<double> weights = {};  // their energies, in any unit; empty where all are alike
 };
 
-using SpectrumSettings = std::variant<ContinuousSpectrum, MonochromaticSpectrum, LineSpectrum>;
+/// The thermal light of a black body, continuous.
+struct BlackBody {
+  double temperature = 5772.0;  // kelvin
+};
+
+using SpectrumSettings = std::variant<ContinuousSpectrum, MonochromaticSpectrum, LineSpectrum, BlackBody>;
 
 struct SunSettings {
   double elevation = radians(20.0);  // rad, above the horizon, [-pi/2, pi/2]

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -19,11 +20,12 @@ struct SpectralSample {
 /// The light of the sun as a density to draw wavelengths from.
 ///
 /// Continuous light is drawn in proportion to sunlight times the length of the observer's response in linear Rec.709,
-/// which gives the picture's channels the least summed variance; `light` is then luminance. Lines carry equal energy
-/// and `light` is 1 for each of them.
+/// which gives the picture's channels the least summed variance; `light` is then luminance. Of lines each is drawn as
+/// often, and `light` is its energy: 1 for each where all are alike.
 class Spectrum {
  public:
-  /// Throws std::invalid_argument when lines carry no light that the observer sees.
+  /// Throws std::invalid_argument when lines carry no light that the observer sees, or their weights are not as many or
+  /// not positive.
   explicit Spectrum(const SpectrumSettings& settings);
 
   /// The wavelength at quantile `u` in [0, 1), with its weights.
@@ -44,8 +46,8 @@ class Spectrum {
   const std::vector<SpectralSample>& lines() const { return lines_; }
 
  private:
-  void buildContinuous(const ContinuousSpectrum& settings);
-  void buildLines(const std::vector<double>& wavelengths);
+  void buildContinuous(const std::function<double(double)>& power);
+  void buildLines(const LineSpectrum& settings);
 
   std::vector<SpectralSample> lines_;
   std::unique_ptr<const TabulatedDensity> density_;

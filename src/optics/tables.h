@@ -21,6 +21,13 @@ extern const std::array<double, kVisibleNodes> kSunExtraterrestrial;
 /// Direct and circumsolar sunlight at the ground under air mass 1.5, W m^-2 nm^-1. ASTM G173-03.
 extern const std::array<double, kVisibleNodes> kSunAirMass1_5;
 
+inline constexpr int kDaylightStep = 10;  // nm
+inline constexpr int kDaylightNodes = (kVisibleLast - kVisibleFirst) / kDaylightStep + 1;
+
+/// Components S0, S1, S2 of daylight from 360 to 830 nm: the mean of measured spectra and the two that change it most.
+/// CIE 015:2018; Judd, MacAdam & Wyszecki 1964, J. Opt. Soc. Am. 54, 1031.
+extern const std::array<Vec3, kDaylightNodes> kDaylight;
+
 struct IceNode {
   double wavelength;  // nm
   double index;

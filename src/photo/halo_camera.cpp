@@ -9,8 +9,9 @@
 namespace parhelion {
 
 CameraSettings haloCamera(const CameraSettings& photo, int coarseness) {
-  if (photo.projection == Projection::equirectangular) {
-    while (photo.width % coarseness != 0 || photo.height % coarseness != 0) --coarseness;
+  if (isPanorama(photo.projection) || showsHemispheres(photo.projection)) {
+    const int width = photo.width / discs(photo.projection);
+    while (width % coarseness != 0 || photo.height % coarseness != 0) --coarseness;
   }
   CameraSettings camera = photo;
   camera.width = (photo.width + coarseness - 1) / coarseness;

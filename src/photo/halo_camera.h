@@ -6,7 +6,7 @@
 namespace parhelion {
 
 /// The photograph's camera with pixels `coarseness` times as large, which see all that the photograph sees. A panorama
-/// is taken apart only as far as both its sides divide.
+/// and a picture of hemispheres are taken apart only as far as both sides of each part divide.
 CameraSettings haloCamera(const CameraSettings& photo, int coarseness);
 
 /// How large the halo's pixels may be, in the photograph's: a tenth of the sun's disc, which blurs the halo itself by

@@ -9,8 +9,9 @@
 namespace parhelion {
 
 /// A picture of the halo's light, looked up from the pixels of a photograph. Between the centres of the picture's
-/// pixels, whose values are means over them, light changes bilinearly: never below 0, and as much altogether. A picture
-/// that is finer than the photograph is averaged over squares first, and looked up in four places a pixel.
+/// pixels, whose values are means over them, light changes bilinearly: never below 0, and as much altogether. Pixels
+/// without sky have no part in it. A picture that is finer than the photograph is averaged over squares first, and
+/// looked up in four places a pixel.
 class HaloLookup {
  public:
   /// `halo` has channels R, G, B and the size of `haloCamera`; samples that are not finite count as 0. Throws
@@ -24,7 +25,7 @@ class HaloLookup {
  private:
   std::optional<Vec3> lightAt(Vec2 place) const;
   std::optional<Vec2> haloPlace(Vec2 place) const;
-  int column(int x) const;
+  int column(int x, double place) const;
 
   Camera haloCamera_, photoCamera_;
   int width_, height_;       // of the averaged picture
@@ -33,6 +34,7 @@ class HaloLookup {
   bool sameLens_;            // pixels of the one are pixels of the other but for their size
   bool wraps_;               // a whole turn: the left border is the right one's neighbour
   std::vector<Vec3> light_;  // row-major
+  std::vector<double> sky_;  // share of each that shows sky, row-major
 };
 
 }  // namespace parhelion

@@ -31,6 +31,7 @@ CameraSettings lensWithoutField(const Photograph& photograph, const LensClues& c
   camera.height = photograph.height;
   if (clues.imageCircle) camera.imageCircle = *clues.imageCircle;
   camera.distortion = clues.distortion;
+  camera.shift = clues.shift;
   return camera;
 }
 
@@ -47,7 +48,7 @@ std::optional<double> angleAcross(const Camera& camera) {
 
 /// Whether the picture's own horizon is known: a panorama's is its middle row.
 bool hasOwnHorizon(const CameraSettings& lens, const PointingClues& clues) {
-  return lens.projection == Projection::equirectangular && clues.known.empty();
+  return isPanorama(lens.projection) && clues.known.empty();
 }
 
 /// What is to be taken for the sun's elevation before the camera is pointed; none: it is to be measured. What the
@@ -96,12 +97,13 @@ void measureSun(PhotoCamera& found, Vec2 sun) {
 
 std::optional<PhotoLens> findLens(const Photograph& photograph, const LensClues& clues) {
   CameraSettings camera = lensWithoutField(photograph, clues);
+  if (showsHemispheres(camera.projection)) return PhotoLens{camera, describeLens(camera)};
   if (clues.fieldOfView) {
     camera.fieldOfViewAxis = clues.fieldOfView->axis;
     camera.fieldOfView = clues.fieldOfView->angle;
     return PhotoLens{camera, describeLens(camera)};
   }
-  if (camera.projection == Projection::equirectangular) {  // a whole sphere says it all
+  if (isPanorama(camera.projection)) {  // a whole sphere says it all
     camera.fieldOfView = 2.0 * kPi;
     return PhotoLens{camera, describeLens(camera)};
   }
@@ -143,6 +145,7 @@ std::optional<PhotoCamera> pointLens(const CameraSettings& lens, const PointingC
 std::string describeLens(const CameraSettings& settings) {
   const Camera camera(settings);
   std::string words = text("lens: %.1f pixels", camera.focalLength());
+  if (showsHemispheres(settings.projection)) return words + ", 180 degrees across each disc";
   const std::optional<double> across = angleAcross(camera);
   if (across) {
     words += text(", %.1f degrees from left to right", degrees(*across));
@@ -150,7 +153,7 @@ std::string describeLens(const CameraSettings& settings) {
     const double circle = settings.imageCircle > 0.0 ? settings.imageCircle : std::max(kPi, settings.fieldOfView);
     words += text(", %.1f degrees across its image circle", degrees(circle));
   }
-  if (settings.projection == Projection::equirectangular) return words;
+  if (isPanorama(settings.projection)) return words;
   return words +
          text(", %.3g mm on 35 mm film", equivalentOnFilm(camera.focalLength(), settings.width, settings.height));
 }

@@ -31,6 +31,7 @@ struct LensClues {
   std::optional<double> focal35mm;    // mm, as on 35 mm film; where no field of view is known
   std::optional<double> imageCircle;  // rad
   Distortion distortion;
+  Shift shift;
 };
 
 /// A photograph's camera before it is pointed: azimuth, elevation and roll are 0.
@@ -40,8 +41,8 @@ struct PhotoLens {
 };
 
 /// The lens of a photograph: as the clues say, what they leave out from its Exif. An equirectangular picture without
-/// field of view shows the whole sphere. None where nothing says how wide the lens saw. Throws std::invalid_argument
-/// with a line of reason where what is said of it cannot be (lens_from_exif.h).
+/// field of view shows the whole sphere, a dual fisheye always does. None where nothing says how wide the lens saw.
+/// Throws std::invalid_argument with a line of reason where what is said of it cannot be (lens_from_exif.h).
 std::optional<PhotoLens> findLens(const Photograph& photograph, const LensClues& clues);
 
 /// What is known of where a photograph's camera pointed, and of the sun. Places in pixels as PointingClue has them.

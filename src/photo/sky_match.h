@@ -22,8 +22,9 @@ struct SkyTone {
 inline constexpr double kSkyAroundSun = radians(30.0);
 
 /// The mean sky of a photograph within kSkyAroundSun of the sun, without clipped samples and partly masked pixels; of
-/// all its sky where less than a hundredth of that lies there. Throws std::invalid_argument where no sky can be
-/// measured.
+/// all its sky where less than a hundredth of that lies there. Light sources are no sky: what is more than ten times as
+/// bright as half of that sky, the sun's disc or a lamp, is left out with the glare about it, down to twice. Throws
+/// std::invalid_argument where no sky can be measured.
 SkyTone skyTone(const Photograph& photograph, const SkyMask& mask, const CameraSettings& camera, double sunElevation);
 
 /// Luminance that the brightest hundredth of the photograph's sky, by the halo's light, has at least: 1/sr. 0 where

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "picture/colour_space.h"
 
+#include <cmath>
+
 #include <glm/matrix.hpp>
 
 namespace parhelion {
@@ -31,6 +33,17 @@ Mat3 xyzToRec709(const Vec3& white) {
 
   const Mat3 adapted = toRec709 * glm::inverse(kBradford) * diagonal(to / from) * kBradford;
   return diagonal(1.0 / (adapted * white)) * adapted;  // takes away the last rounding error of the white
+}
+
+std::optional<Mat3> rgbToRec709(const Chromaticities& from) {
+  // Unlike xyzFromChromaticity() also for y = 0, as in camera spaces and in ACES, whose blue has y < 0.
+  const auto xyz = [](const Vec2& c) { return Vec3(c.x, c.y, 1.0 - c.x - c.y); };
+  const Mat3 primaries{xyz(from.red), xyz(from.green), xyz(from.blue)};
+  const Vec3 white = xyz(from.white) / from.white.y;
+  const Vec3 amounts = glm::inverse(primaries) * white;
+  const bool isAmong = amounts.x > 0.0 && amounts.y > 0.0 && amounts.z > 0.0;
+  if (!isAmong || !std::isfinite(amounts.x + amounts.y + amounts.z) || !(from.white.y > 0.0)) return std::nullopt;
+  return xyzToRec709(white) * primaries * diagonal(amounts);
 }
 
 }  // namespace parhelion

@@ -11,11 +11,13 @@
 
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <cstdlib>
 #include <cstring>
 #include <ctime>
 #include <fstream>
 
+#include "picture/colour_space.h"
 #include "picture/exr_stream.h"
 
 namespace parhelion {
@@ -83,6 +85,19 @@ std::optional<Chromaticities> chromaticitiesOf(const Imf::Header& header) {
   return Chromaticities{vec2(c.red), vec2(c.green), vec2(c.blue), vec2(c.white)};
 }
 
+/// Takes the colours of a file to Rec.709.
+void convertToRec709(const std::filesystem::path& path, ExrFile& file) {
+  if (!file.chromaticities || !file.image.find("R") || !file.image.find("G") || !file.image.find("B")) return;
+  const std::string objection = chromaticitiesObjection(*file.chromaticities);
+  if (objection.empty()) return;
+  const std::optional<Mat3> toRec709 = rgbToRec709(*file.chromaticities);
+  if (!toRec709)
+    throw std::runtime_error(path.string() + ": " + objection +
+                             ", and these make no colour space; --assume-srgb takes them as they are");
+  file.image.changeColours(
+      [&](const Vec3& stored) { return std::isfinite(stored.x + stored.y + stored.z) ? *toRec709 * stored : stored; });
+}
+
 }  // namespace
 
 void writeBeautyExr(const std::filesystem::path& path, const Image& image, ExrAttributes attributes, Envmap envmap) {
@@ -108,13 +123,15 @@ bool isExr(const std::filesystem::path& path) {
   return start == kMagic;
 }
 
-ExrFile readExr(const std::filesystem::path& path) {
+ExrFile readExr(const std::filesystem::path& path, ExrColours colours) {
   requireSaneHeaders(path);
   return withExrErrors(path, [&] {
     Imf::MultiPartInputFile file(path.c_str(), 0, false);  // no threads, no guessing at missing scan lines
     Image image = readPart(path, file);
     const Imf::Header& header = file.header(0);
-    return ExrFile{std::move(image), textOf(header), displayOf(header), chromaticitiesOf(header)};
+    ExrFile read{std::move(image), textOf(header), displayOf(header), chromaticitiesOf(header)};
+    if (colours == ExrColours::rec709) convertToRec709(path, read);
+    return read;
   });
 }
 

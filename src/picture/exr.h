@@ -28,7 +28,13 @@ struct ExrFile {
   Image image;
   ExrAttributes attributes;
   DisplayWindow display = {};
-  std::optional<Chromaticities> chromaticities = {};
+  std::optional<Chromaticities> chromaticities = {};  // as the file has them
+};
+
+/// What channels R, G and B are to be.
+enum class ExrColours {
+  rec709,    // linear Rec.709; converted by a Bradford adaptation where the file has other chromaticities
+  asStored,  // the numbers in the file
 };
 
 /// Writes a picture for any viewer: one part, all channels as 32-bit floats, scan lines, ZIP, with the chromaticities
@@ -42,8 +48,10 @@ void writeBeautyExr(const std::filesystem::path& path, const Image& image, ExrAt
 bool isExr(const std::filesystem::path& path);
 
 /// Reads the first part of any flat scan-line EXR, all channels as floats, and its text attributes. The memory it takes
-/// is bounded by the size of the file. Throws std::runtime_error "path: reason" for whatever is wrong with it.
-ExrFile readExr(const std::filesystem::path& path);
+/// is bounded by the size of the file. Pixels with samples that are not finite stay as they are stored. Throws
+/// std::runtime_error "path: reason" for whatever is wrong with it, also for chromaticities that make no colour space
+/// if they are needed.
+ExrFile readExr(const std::filesystem::path& path, ExrColours colours = ExrColours::rec709);
 
 /// Its text attributes alone, whatever its first part is. Throws as readExr does if the header cannot be read.
 ExrAttributes readExrAttributes(const std::filesystem::path& path);

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include "picture/exr.h"
-
 namespace parhelion {
 namespace {
 
@@ -34,8 +32,8 @@ void requireReadableDisplay(const std::filesystem::path& path, const ExrFile& fi
 
 }  // namespace
 
-StoredPicture readExrPhotograph(const std::filesystem::path& path) {
-  ExrFile file = readExr(path);
+StoredPicture readExrPhotograph(const std::filesystem::path& path, ExrColours colours) {
+  ExrFile file = readExr(path, colours);
   requireReadableDisplay(path, file);
   const auto planes = planesOf(path, file.image);
   const DisplayWindow& display = file.display;
@@ -60,7 +58,6 @@ StoredPicture readExrPhotograph(const std::filesystem::path& path) {
   }
   stored.picture.samples = std::move(samples);
   stored.picture.text = std::move(file.attributes);
-  if (file.chromaticities) stored.objection = chromaticitiesObjection(*file.chromaticities);
   return stored;
 }
 

@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "math/conventions.h"
+
 namespace parhelion {
 
 /// Largest width or height, and largest number of pixels, of a picture.
@@ -47,6 +49,17 @@ struct Image {
     const std::array planes{find("R"), find("G"), find("B")};
     if (!planes[0] || !planes[1] || !planes[2]) throw std::invalid_argument("the image has no channels R, G, B");
     return planes;
+  }
+
+  /// Changes the colour of each pixel by a function of (R, G, B); throws as rgb() does.
+  template <class Change>
+  void changeColours(const Change& change) {
+    std::array<std::vector<float>*, 3> planes{};
+    for (std::size_t c = 0; c < 3; ++c) planes[c] = const_cast<std::vector<float>*>(rgb()[c]);
+    for (std::size_t i = 0; i < pixels(); ++i) {
+      const Vec3 colour = change(Vec3((*planes[0])[i], (*planes[1])[i], (*planes[2])[i]));
+      for (int c = 0; c < 3; ++c) (*planes[static_cast<std::size_t>(c)])[i] = static_cast<float>(colour[c]);
+    }
   }
 };
 

@@ -30,20 +30,24 @@ std::array<char, 8> firstBytes(const std::filesystem::path& path) {
   return bytes;
 }
 
-StoredPicture readStored(const std::filesystem::path& path) {
+StoredPicture readStored(const std::filesystem::path& path, const PhotographRules& rules) {
   const std::array<char, 8> first = firstBytes(path);
   const std::string_view start(first.data(), first.size());
   if (start.starts_with("\xff\xd8\xff")) return readJpeg(path);
   if (start == "\x89PNG\r\n\x1a\n") return readPng(path);
-  if (start.starts_with("\x76\x2f\x31\x01")) return readExrPhotograph(path);
+  if (start.starts_with("\x76\x2f\x31\x01")) return readExrPhotograph(path, exrColours(rules));
   throw pictureError(path, "not a JPEG, PNG or EXR file");
 }
 
 }  // namespace
 
+ExrColours exrColours(const PhotographRules& rules) {
+  return rules.assumeSrgb ? ExrColours::asStored : ExrColours::rec709;
+}
+
 Photograph readPhotograph(const std::filesystem::path& path, const PhotographRules& rules) {
   try {
-    StoredPicture stored = readStored(path);
+    StoredPicture stored = readStored(path, rules);
     if (!stored.objection.empty() && !rules.assumeSrgb) {
       throw pictureError(path, stored.objection + "; convert it, or say --assume-srgb to take them as they are");
     }

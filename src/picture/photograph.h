@@ -10,6 +10,7 @@
 
 #include "picture/envmap.h"
 #include "picture/exif.h"
+#include "picture/exr.h"
 #include "picture/image.h"
 #include "picture/transfer.h"
 
@@ -37,8 +38,11 @@ inline float linearAt(const Samples& samples, std::size_t i) {
 }
 
 struct PhotographRules {
-  bool assumeSrgb = false;  // take the samples as sRGB, whatever profile the file is tagged with
+  bool assumeSrgb = false;  // take the samples as sRGB, whatever colour space the file is tagged with
 };
+
+/// How an EXR is to be read by these rules.
+ExrColours exrColours(const PhotographRules& rules);
 
 /// Photographs with more pixels than this are not read.
 inline constexpr std::int64_t kMaxPhotographPixels = std::int64_t{1} << 27;
@@ -48,8 +52,9 @@ inline constexpr std::int64_t kMaxPhotographPixels = std::int64_t{1} << 27;
 ///
 /// Memory is bounded by the size that the header states, which must be plausible for the file's length.
 ///
-/// Throws std::runtime_error "path: reason", in one line, where the file is damaged, cut short, too large, of another
-/// kind or tagged with a colour space other than sRGB. The message names that colour space.
+/// An EXR with other chromaticities is converted as readExr() does. Throws std::runtime_error "path: reason", in one
+/// line, where the file is damaged, cut short, too large, of another kind or, a JPEG or PNG, tagged with a colour space
+/// other than sRGB. The message names that colour space.
 Photograph readPhotograph(const std::filesystem::path& path, const PhotographRules& rules = {});
 
 /// The extension of a file's name, in small letters and with its dot. Empty where the name has none.

@@ -4,11 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
-
 #include "math/portable.h"
-#include "picture/colour_space.h"
+#include "picture/gamut.h"
 
 namespace parhelion {
 namespace {
@@ -16,16 +13,6 @@ namespace {
 constexpr double kHighlightFade = 128.0;  // exposed value at which a colour is half way to white
 
 bool isFinite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
-
-/// Mixes with the grey of the same luminance until no component is negative.
-Vec3 intoGamut(const Vec3& c) {
-  const double lowest = std::min({c.x, c.y, c.z});
-  if (lowest >= 0.0) return c;
-  const double luminance = glm::dot(kRec709Luminance, c);
-  if (luminance <= 0.0) return {0.0, 0.0, 0.0};
-  const double keep = luminance / (luminance - lowest);
-  return glm::max(Vec3(luminance) + keep * (c - Vec3(luminance)), Vec3(0.0));
-}
 
 /// Thresholds of an 8 x 8 ordered dither (Bayer 1973), in (-1/2, 1/2) of a step, by interleaving the bits of x ^ y
 /// and y.

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "recon/reconstruct.h"
 
+#include <algorithm>
+#include <utility>
+
 #include "recon/methods.h"
 #include "recon/sky_light.h"
+#include "sky/picture_parts.h"
 #include "sky/radiance.h"
 
 namespace parhelion {
@@ -32,6 +36,48 @@ bool isDark(const Tally& tally) {
   return true;
 }
 
+ReconstructedSky ofWhole(const Tally& tally, const ReconSettings& settings, const Watch& watch) {
+  return std::visit([&](const auto& own) { return byMethod(tally, own, watch); }, settings);
+}
+
+Tally partOf(const Tally& tally, const PicturePart& part) {
+  TallyInfo info = tally.info;
+  info.camera = part.camera;
+  Tally own(std::move(info), tally.colours());
+  for (int y = 0; y < own.height(); ++y)
+    for (int x = 0; x < own.width(); ++x)
+      for (int slot = 0; slot < own.slots(); ++slot)
+        own.setRaw(y * own.width() + x, slot, tally.raw(y * tally.width() + part.left + x, slot));
+  return own;
+}
+
+/// Puts a part into its place in the whole image.
+void place(const Image& part, int left, Image& whole) {
+  for (const Channel& channel : part.channels) {
+    if (!whole.find(channel.name)) whole.add(channel.name);
+    const auto into = std::ranges::find(whole.channels, channel.name, &Channel::name);
+    for (int y = 0; y < part.height; ++y)
+      std::copy_n(channel.samples.begin() + static_cast<std::ptrdiff_t>(y) * part.width, part.width,
+                  into->samples.begin() + static_cast<std::ptrdiff_t>(y) * whole.width + left);
+  }
+}
+
+/// Part by part: beyond a part's border there is other sky, from which no light may come over and to which none may go.
+ReconstructedSky byParts(const Tally& tally, const std::vector<PicturePart>& parts, const ReconSettings& settings,
+                         const Watch& watch) {
+  ReconstructedSky sky{{tally.width(), tally.height(), {}}, {}};
+  const double share = 1.0 / static_cast<double>(parts.size());
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    Watch own = watch;
+    own.onProgress = [&](double done) { watch.at((static_cast<double>(i) + done) * share); };
+    ReconstructedSky part = ofWhole(partOf(tally, parts[i]), settings, own);
+    place(part.image, parts[i].left, sky.image);
+    for (std::string& remark : part.remarks)
+      if (std::ranges::find(sky.remarks, remark) == sky.remarks.end()) sky.remarks.push_back(std::move(remark));
+  }
+  return sky;
+}
+
 }  // namespace
 
 ReconstructedSky reconstructSky(const Tally& tally, const NoSettings&, const Watch&) {
@@ -39,7 +85,8 @@ ReconstructedSky reconstructSky(const Tally& tally, const NoSettings&, const Wat
 }
 
 ReconstructedSky reconstruct(const Tally& tally, const ReconSettings& settings, const Watch& watch) {
-  ReconstructedSky sky = std::visit([&](const auto& own) { return byMethod(tally, own, watch); }, settings);
+  const std::vector<PicturePart> parts = partsOf(tally.info.camera);
+  ReconstructedSky sky = parts.size() == 1 ? ofWhole(tally, settings, watch) : byParts(tally, parts, settings, watch);
   if (isDark(tally)) sky.remarks.emplace_back("no light in the sky: the picture is black");
   watch.at(1.0);
   return sky;

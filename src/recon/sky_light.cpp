@@ -6,10 +6,10 @@
 
 #include "parallel/loops.h"
 #include "picture/colour_space.h"
-#include "recon/full_turn.h"
 #include "recon/integral_image.h"
 #include "recon/kernel_variance.h"
 #include "sky/camera.h"
+#include "sky/full_turn.h"
 #include "sky/radiance.h"
 
 namespace parhelion {
@@ -37,15 +37,16 @@ class RelativeVariance {
   IntegralImage<double> all_, difference_;
 };
 
-/// Camera::solidAngles() with the rows in parallel: a quarter of the picture, mirrored.
+/// Camera::solidAngles() with the rows in parallel.
 std::vector<double> solidAnglesOf(const Camera& camera) {
   const int width = camera.width(), height = camera.height();
-  const int halfWidth = (width + 1) / 2, halfHeight = (height + 1) / 2;
+  const int columns = camera.ownColumns(), rows = camera.ownRows();
   std::vector<double> all(static_cast<std::size_t>(width) * height);
-  forRows(halfHeight, [&](int y) {
-    double* upper = all.data() + static_cast<std::size_t>(y) * width;
-    for (int x = 0; x < halfWidth; ++x) upper[x] = upper[width - 1 - x] = camera.solidAngle(x, y);
-    std::copy(upper, upper + width, all.data() + static_cast<std::size_t>(height - 1 - y) * width);
+  forRows(rows, [&](int y) {
+    double* row = all.data() + static_cast<std::size_t>(y) * width;
+    for (int x = 0; x < columns; ++x) row[x] = camera.solidAngle(x, y);
+    for (int x = columns; x < width; ++x) row[x] = row[width - 1 - x];
+    if (rows < height) std::copy(row, row + width, all.data() + static_cast<std::size_t>(height - 1 - y) * width);
   });
   return all;
 }

@@ -18,6 +18,9 @@ inline constexpr const char* kStrengthKey = "parhelion:strength";
 /// Tallies alone have this attribute.
 inline constexpr const char* kTallyKey = "parhelion:tally";
 
+/// Under this an EXR of ours says that colours outside Rec.709 have been changed, and how (picture/gamut.h).
+inline constexpr const char* kGamutKey = "parhelion:gamut";
+
 /// What every EXR of ours says about itself: the program, and the scene with which it can be made again.
 ExrAttributes sceneAttributes(const LoadedScene& loaded, std::uint64_t rays);
 

@@ -18,14 +18,18 @@ ReconstructedSky developSky(const TracedSky& traced, const LoadedScene& loaded, 
   return withThreads(threads, [&] { return reconstruct(traced.tally, loaded.scene.recon); });
 }
 
-void writeSky(const std::filesystem::path& exr, Image& image, const TallyInfo& info, const LoadedScene& loaded) {
+void writeSky(const std::filesystem::path& exr, Image& image, const TallyInfo& info, const LoadedScene& loaded,
+              Gamut gamut) {
   const Camera camera(info.camera);
   if (loaded.scene.sun.visible) drawUndeviatedSun(image, camera, Sun(loaded.scene.sun), info.undeviatedFraction());
+  ExrAttributes attributes = sceneAttributes(loaded, info.rayCount());
+  if (gamut == Gamut::clip) image.changeColours(intoGamut);
+  if (gamut != Gamut::exact) attributes[kGamutKey] = nameOf(gamut);
   const Envmap envmap = envmapOf(camera);
   // Blender takes a channel with a dot in its name for the sign of several layers, which it lights nothing with.
   if (envmap == Envmap::latLong)
     std::erase_if(image.channels, [](const Channel& channel) { return channel.name.find('.') != std::string::npos; });
-  writeBeautyExr(exr, image, sceneAttributes(loaded, info.rayCount()), envmap);
+  writeBeautyExr(exr, image, attributes, envmap);
 }
 
 std::string exposureText(double stops) {
@@ -39,7 +43,7 @@ void writePreview(const std::filesystem::path& png, const Preview& preview, doub
 }
 
 WrittenSky writeSkyFiles(const SkyFiles& files, Image image, const TallyInfo& info, const LoadedScene& loaded) {
-  writeSky(files.exr, image, info, loaded);
+  writeSky(files.exr, image, info, loaded, files.gamut);
   const double stops = files.exposure ? *files.exposure : autoExposure(image);
   const Preview preview = developPreview(image, {stops});
   writePreview(files.png, preview, stops);

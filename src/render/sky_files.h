@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "picture/gamut.h"
 #include "picture/image.h"
 #include "picture/tone.h"
 #include "recon/reconstruct.h"
@@ -17,8 +18,10 @@ namespace parhelion {
 ReconstructedSky developSky(const TracedSky& traced, const LoadedScene& loaded, int threads);
 
 /// Draws the sun into the image of a tally with that info if the scene makes it visible, and writes it as linear EXR
-/// with the scene inside. Throws std::runtime_error.
-void writeSky(const std::filesystem::path& exr, Image& image, const TallyInfo& info, const LoadedScene& loaded);
+/// with the scene inside, its colours as `gamut` says; other than exact ones are noted under kGamutKey. Throws
+/// std::runtime_error.
+void writeSky(const std::filesystem::path& exr, Image& image, const TallyInfo& info, const LoadedScene& loaded,
+              Gamut gamut = Gamut::exact);
 
 /// An exposure as people and PNG texts read it: "+1.50 stops".
 std::string exposureText(double stops);
@@ -30,6 +33,7 @@ void writePreview(const std::filesystem::path& png, const Preview& preview, doub
 struct SkyFiles {
   std::filesystem::path exr, png;
   std::optional<double> exposure;  // of the preview, stops; none: chosen by the picture
+  Gamut gamut = Gamut::exact;      // of the EXR
 };
 
 /// What was written.

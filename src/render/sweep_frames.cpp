@@ -51,7 +51,7 @@ void requirePreview(const std::filesystem::path& png) {
 }
 
 /// Why the file is not the picture of the scene with all its rays; empty if it is.
-std::string lackOf(const std::filesystem::path& exr, const LoadedScene& loaded) {
+std::string lackOf(const std::filesystem::path& exr, const LoadedScene& loaded, Gamut gamut) {
   if (!std::filesystem::exists(exr)) return "not there yet";
   if (std::filesystem::is_regular_file(exr) && std::filesystem::file_size(exr) == 0) return "is empty";
   const ExrAttributes found = pictureAttributes(exr), wanted = sceneAttributes(loaded, loaded.scene.trace.rays);
@@ -67,6 +67,9 @@ std::string lackOf(const std::filesystem::path& exr, const LoadedScene& loaded) 
     const auto attribute = found.find(name);
     if (attribute == found.end() || attribute->second != wanted.at(name)) return std::string("has another ") + name;
   }
+  const auto written = found.find(kGamutKey);
+  if ((written == found.end() ? nameOf(Gamut::exact) : written->second) != nameOf(gamut))
+    return std::string("has another ") + kGamutKey;
   return {};
 }
 
@@ -79,13 +82,13 @@ std::string SweepFrame::valuesText() const {
 }
 
 std::vector<SweepFrame> planFrames(std::span<const std::vector<std::string>> values, const FrameLoader& load,
-                                   const FrameNames& names, std::size_t first, bool overwrite) {
+                                   const FrameNames& names, std::size_t first, Gamut gamut, bool overwrite) {
   std::vector<SweepFrame> frames;
   for (const std::vector<std::string>& own : values)
-    frames.push_back({own, load(own), names(first + frames.size()), {}});
+    frames.push_back({own, load(own), names(first + frames.size()), gamut, {}});
   for (SweepFrame& frame : frames) {
     try {
-      frame.lacks = lackOf(frame.exr, frame.loaded);
+      frame.lacks = lackOf(frame.exr, frame.loaded, gamut);
       requirePreview(frame.png());
     } catch (const ForeignFile&) {
       if (!overwrite) throw;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "picture/gamut.h"
 #include "render/frame_names.h"
 #include "scene/parse_scene.h"
 
@@ -17,6 +18,7 @@ struct SweepFrame {
   std::vector<std::string> values;  // "key=value" of the keys that are swept
   LoadedScene loaded;
   std::filesystem::path exr;
+  Gamut gamut = Gamut::exact;
   std::string lacks;  // why it must be rendered; empty: the file is the picture already
 
   std::filesystem::path png() const { return std::filesystem::path(exr).replace_extension(".png"); }
@@ -32,6 +34,7 @@ using FrameLoader = std::function<LoadedScene(const std::vector<std::string>& va
 /// Throws SceneError for the first scene that cannot be used, and, unless `overwrite`, std::runtime_error for a file in
 /// the place of a frame or its preview that no render has written.
 std::vector<SweepFrame> planFrames(std::span<const std::vector<std::string>> values, const FrameLoader& load,
-                                   const FrameNames& names, std::size_t first, bool overwrite = false);
+                                   const FrameNames& names, std::size_t first, Gamut gamut = Gamut::exact,
+                                   bool overwrite = false);
 
 }  // namespace parhelion

@@ -18,7 +18,17 @@ void checkAngle(TableReader& reader, std::string_view key, double angle, const R
                          "\" must be " + range.text() + " degrees, not " + formatNumber(inDegrees));
 }
 
+/// "a globe always shows one whole hemisphere"
+std::string hemispheresText(Projection projection) {
+  return std::string("a ").append(nameOf(projection)) + " always shows " +
+         (discs(projection) == 1 ? "one whole hemisphere" : "two whole hemispheres");
+}
+
 void checkFieldOfView(TableReader& reader, const FieldOfViewKey& key, double angle, Projection projection) {
+  if (showsHemispheres(projection)) {
+    reader.reject(key.name, hemispheresText(projection) + "; it has no field of view to choose", "leave it out");
+    return;
+  }
   visitProjection(projection, [&](auto facts) {
     if (!facts.hasDiagonal && key.axis == FieldOfViewAxis::diagonal) {
       reader.reject(key.name, std::string("an ").append(nameOf(projection)) + " image has no diagonal field of view",
@@ -30,11 +40,13 @@ void checkFieldOfView(TableReader& reader, const FieldOfViewKey& key, double ang
   });
 }
 
-/// The camera knows whether its distortion folds the picture over.
-void checkDistortion(TableReader& reader, const CameraSettings& camera) {
-  if (camera.distortion.none()) return;
+/// The camera knows what cannot be: a distortion that folds the picture over, a shift beyond what the lens shows.
+template <class Setting>
+void checkByCamera(TableReader& reader, std::string_view key, const CameraSettings& camera,
+                   Setting CameraSettings::*member) {
+  if (camera.*member == Setting()) return;
   CameraSettings ideal = camera;
-  ideal.distortion = {};
+  ideal.*member = Setting();
   try {
     const Camera works(ideal);
   } catch (const std::invalid_argument&) {
@@ -43,7 +55,7 @@ void checkDistortion(TableReader& reader, const CameraSettings& camera) {
   try {
     const Camera works(camera);
   } catch (const std::invalid_argument& problem) {
-    reader.reject("distortion", problem.what());
+    reader.reject(key, problem.what());
   }
 }
 
@@ -51,12 +63,21 @@ void checkDistortion(TableReader& reader, const CameraSettings& camera) {
 void checkImageCircle(TableReader& reader, const CameraSettings& camera) {
   if (camera.imageCircle == 0.0) return;
   visitProjection(camera.projection, [&](auto facts) {
-    if (facts.isFisheye) {
+    if (facts.showsHemispheres) {
+      reader.reject("image_circle", hemispheresText(camera.projection) + "; it has no image circle to choose");
+    } else if (facts.isFisheye) {
       checkAngle(reader, "image_circle", camera.imageCircle, facts.fieldOfView, camera.projection);
     } else {
       reader.reject("image_circle", "only fisheye lenses have an image circle");
     }
   });
+}
+
+/// Two hemispheres side by side have halves of the same width.
+void checkResolution(TableReader& reader, const CameraSettings& camera) {
+  if (camera.width % discs(camera.projection) == 0) return;
+  reader.reject("resolution", hemispheresText(camera.projection) + " side by side: its width must be even, not " +
+                                  std::to_string(camera.width));
 }
 
 void applyFieldOfView(TableReader& reader, const CameraKeys& keys, CameraSettings& camera) {
@@ -106,7 +127,9 @@ bool kinds::CameraTable::read(const Value& in, CameraSettings& out) const {
   if (reader.rejected("projection")) return false;  // what else is wrong would depend on it
   applyFieldOfView(reader, keys, out);
   checkImageCircle(reader, out);
-  if (!reader.rejected("distortion")) checkDistortion(reader, out);
+  checkResolution(reader, out);
+  if (!reader.rejected("shift")) checkByCamera(reader, "shift", out, &CameraSettings::shift);
+  if (!reader.rejected("distortion")) checkByCamera(reader, "distortion", out, &CameraSettings::distortion);
   return true;
 }
 

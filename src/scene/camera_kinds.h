@@ -86,6 +86,10 @@ class CameraKinds {
                const std::array<NumberPart<Struct>, N>& parts) {
     v_.key(key.name, kinds::NumberList<Struct, N>{unit.range, parts}, camera_.*member, key.documentation);
   }
+  template <class Enumeration>
+  void choice(const CameraKey& key, Enumeration CameraSettings::*member) {
+    v_.key(key.name, kinds::Choice<Enumeration>{}, camera_.*member, key.documentation);
+  }
   void fieldOfView(const FieldOfViewAttributes&, InDegrees unit) {
     for (std::size_t i = 0; i < kFieldOfViewKeys.size(); ++i) {
       const FieldOfViewKey& key = kFieldOfViewKeys[i];

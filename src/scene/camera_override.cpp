@@ -37,7 +37,12 @@ class OverrideWriter {
     for (const auto& part : parts) list += (list.empty() ? "" : ", ") + digits(unit.shown(all.*part.member));
     entry(key.name, "[" + list + "]");
   }
+  void choice(const CameraKey& key, auto member) {
+    if (camera_.*member == CameraSettings().*member) return;
+    entry(key.name, std::string("\"").append(nameOf(camera_.*member)) + '"');
+  }
   void fieldOfView(const FieldOfViewAttributes&, InDegrees unit) {
+    if (showsHemispheres(camera_.projection)) return;
     entry(keyOf(camera_.fieldOfViewAxis).name, digits(unit.shown(camera_.fieldOfView)));
   }
   void resolution(const CameraKey& key) {

@@ -29,7 +29,7 @@ std::string describe(const Distribution& distribution, Show show) {
 
 /// The same for an azimuth or a roll, which may take every value.
 std::string describeTurn(const AngleDistribution& turn) {
-  return uniformWidth(turn).value_or(0.0) >= 2.0 * kPi ? "free" : describe(turn, inDegrees);
+  return isFree(turn, 2.0 * kPi) ? "free" : describe(turn, inDegrees);
 }
 
 std::string describe(const OrientationSettings& orientation) {
@@ -85,15 +85,22 @@ std::string describe(const ShapeSettings& shape) {
   return std::string(nameOf(shape)) + words.text();
 }
 
+/// "450, 550, 650"
+std::string listed(const std::vector<double>& numbers) {
+  std::string text;
+  for (const double number : numbers) text += (text.empty() ? "" : ", ") + plain(number);
+  return text;
+}
+
 std::string describe(const SpectrumSettings& spectrum) {
   return std::visit(Overloaded{
                         [](const ContinuousSpectrum& s) { return std::string("spectrum ").append(nameOf(s.source)); },
                         [](const MonochromaticSpectrum& s) { return plain(s.wavelength) + " nm"; },
                         [](const LineSpectrum& s) {
-                          std::string lines;
-                          for (const double nm : s.wavelengths) lines += (lines.empty() ? "" : ", ") + plain(nm);
-                          return lines + " nm";
+                          const std::string lines = listed(s.wavelengths) + " nm";
+                          return s.weights.empty() ? lines : lines + " weighted " + listed(s.weights);
                         },
+                        [](const BlackBody& s) { return "black body of " + plain(s.temperature) + " K"; },
                     },
                     spectrum);
 }
@@ -104,11 +111,7 @@ std::string describe(const SunSettings& sun) {
 }
 
 std::string describe(const IceSettings& ice) {
-  const auto list = [](const IceMixture& mixture) {
-    std::string text;
-    for (const double index : mixture.indices) text += (text.empty() ? "indices " : ", ") + plain(index);
-    return text + " in turn";
-  };
+  const auto list = [](const IceMixture& mixture) { return "indices " + listed(mixture.indices) + " in turn"; };
   return std::visit(Overloaded{
                         [](const TabulatedIce&) { return std::string("index of Warren & Brandt 2008"); },
                         [](const ConstantIce& constant) { return std::string("index ").append(plain(constant.index)); },
@@ -128,11 +131,16 @@ class CameraDescription {
   void number(const CameraKey& key, InDegrees, double CameraSettings::*member) { add(key, inDegrees(camera_.*member)); }
   void number(const CameraKey& key, Unitless, double CameraSettings::*member) { add(key, plain(camera_.*member)); }
   void fieldOfView(const FieldOfViewAttributes&, InDegrees) {
+    if (showsHemispheres(camera_.projection)) return;
     text_.append("; ").append(inDegrees(camera_.fieldOfView)).append(" ");
     text_ += keyOf(camera_.fieldOfViewAxis).axisName;
   }
   void resolution(const CameraKey&) {
     text_ += ", " + std::to_string(camera_.width) + " x " + std::to_string(camera_.height) + " pixels";
+  }
+
+  void choice(const CameraKey& key, auto member) {
+    if (camera_.*member != CameraSettings().*member) add(key, std::string(nameOf(camera_.*member)));
   }
 
   // Most cameras have none of these.

@@ -32,7 +32,8 @@ struct Forms<std::variant<FixedValue, Ds...>> {
 template <class Variant>
 struct Syntax {
   std::string_view fixed;  // what a number alone is, for messages
-  Range location;          // of a mean, a fixed value and the ends of a range
+  Range location;          // of a mean and a fixed value
+  Range end;               // of a range
   Range spread;            // of sigma, amplitude and so on
   double scale = 1.0;      // radians(1) for degrees
   bool aboutZero = false;  // the mean is left out, and a number alone is the first form's spread
@@ -56,13 +57,15 @@ constexpr Range kAspectRange{kThinnestAspect, kLongestAspect};
 constexpr Range kFixedAspectRange{0.0, kLongestAspect};  // of shapes that are more than a prism
 
 Syntax<AngleDistribution> syntaxOf(AngleValue::Of of) {
-  const Range location = of == AngleValue::Of::zenith ? Range{0.0, 180.0} : Range{-360.0, 360.0};
-  return {"degrees", location, kSpreadDegrees, radians(1.0)};
+  constexpr Range kTurns{-360.0, 360.0};
+  if (of == AngleValue::Of::turn) return {"degrees", kTurns, kTurns, kSpreadDegrees, radians(1.0)};
+  // A range may begin or end beyond a pole.
+  return {"degrees", {0.0, 180.0}, {-180.0, 360.0}, kSpreadDegrees, radians(1.0)};
 }
 
-Syntax<AngleDistribution> spreadSyntax() { return {"degrees", {}, kSpreadDegrees, radians(1.0), true}; }
+Syntax<AngleDistribution> spreadSyntax() { return {"degrees", {}, {}, kSpreadDegrees, radians(1.0), true}; }
 
-Syntax<AspectDistribution> aspectSyntax() { return {"length / width", kAspectRange, {0.0, 1e4}}; }
+Syntax<AspectDistribution> aspectSyntax() { return {"length / width", kAspectRange, kAspectRange, {0.0, 1e4}}; }
 
 std::string pairOf(const DistributionWords& words) {
   return std::string("[").append(words.first) + ", " + std::string(words.second) + "]";
@@ -108,7 +111,7 @@ auto Syntax<Variant>::readPair(const Value& in, const DistributionWords& words) 
     in.mustBe(pairOf(words));
     return std::nullopt;
   }
-  Number first{location}, second{words.isRange ? location : spread};
+  const Number first{words.isRange ? end : location}, second{words.isRange ? end : spread};
   Pair pair;
   const bool firstGood = first.read({(*list)[0], words.first, in.complaints}, pair.first);
   const bool secondGood = second.read({(*list)[1], words.second, in.complaints}, pair.second);

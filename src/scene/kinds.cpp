@@ -2,7 +2,6 @@
 #include "scene/kinds.h"
 
 #include <algorithm>
-#include <set>
 #include <stdexcept>
 
 #include "math/overloaded.h"
@@ -14,8 +13,6 @@ namespace parhelion::kinds {
 
 namespace {
 
-// Where the 1931 observer sees anything; the table of ice reaches further on both sides.
-constexpr Range kVisibleNanometres{360.0, 830.0};
 constexpr Range kIndexRange{1.0, 3.0, true};
 
 constexpr std::string_view kWarrenBrandt = "warren-brandt";
@@ -35,25 +32,6 @@ bool readMixture(const Value& in, const toml::array& list, IceSettings& out) {
   }
   out = std::move(mixture);
   return true;
-}
-
-bool readWavelengths(const Value& in, const toml::array& list, SpectrumSettings& out) {
-  LineSpectrum lines;
-  std::set<double> seen;
-  bool good = true;
-  for (const toml::node& element : list) {
-    const Value line{element, in.key, in.complaints};
-    const auto wavelength = line.numberIn(kVisibleNanometres);
-    if (!wavelength) {
-      good = line.mustBe(std::string("a list of wavelengths ").append(kVisibleNanometres.text()) + " nm here");
-    } else if (!seen.insert(*wavelength).second) {
-      good = line.reject(std::string("the wavelength ").append(formatNumber(*wavelength)) + " nm is listed twice");
-    } else {
-      lines.wavelengths.push_back(*wavelength);
-    }
-  }
-  if (good) out = std::move(lines);
-  return good;
 }
 
 }  // namespace
@@ -147,38 +125,6 @@ bool Resolution::read(const Value& in, std::array<int, 2>& out) const {
 Json Resolution::schema() const {
   const Json side = {{"type", "integer"}, {"minimum", 1}, {"maximum", kMaxImageSide}};
   return {{"type", "array"}, {"items", side}, {"minItems", 2}, {"maxItems", 2}};
-}
-
-bool Spectrum::read(const Value& in, SpectrumSettings& out) const {
-  if (const auto source = memberNamedBy<ContinuousSpectrum::Source>(in)) {
-    out = ContinuousSpectrum{*source};
-    return true;
-  }
-  if (const auto wavelength = in.numberIn(kVisibleNanometres)) {
-    out = MonochromaticSpectrum{*wavelength};
-    return true;
-  }
-  const toml::array* list = in.node.as_array();
-  if (list && !list->empty()) return readWavelengths(in, *list, out);
-  const auto& names = kNamesOf<ContinuousSpectrum::Source>;
-  return in.mustBe(std::string("one of ").append(listNames(names)) + ", a wavelength " + kVisibleNanometres.text() +
-                       " nm, or a list of wavelengths",
-                   didYouMean(in.string().value_or(""), names));
-}
-
-Json Spectrum::schema() const {
-  const Json line = numberSchema(kVisibleNanometres);
-  const Json lines = {{"type", "array"}, {"items", line}, {"minItems", 1}, {"uniqueItems", true}};
-  return {{"anyOf", {Choice<ContinuousSpectrum::Source>{}.schema(), line, lines}}};
-}
-
-Json Spectrum::write(const SpectrumSettings& value) const {
-  return std::visit(Overloaded{
-                        [](const ContinuousSpectrum& s) { return Json(nameOf(s.source)); },
-                        [](const MonochromaticSpectrum& s) { return Json(s.wavelength); },
-                        [](const LineSpectrum& s) { return Json(s.wavelengths); },
-                    },
-                    value);
 }
 
 bool IceIndex::read(const Value& in, IceSettings& out) const {

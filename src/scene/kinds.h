@@ -13,6 +13,7 @@
 #include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "math/names.h"
 #include "scene/number_schema.h"
@@ -85,7 +86,22 @@ struct Resolution {
   Json write(const std::array<int, 2>& value) const { return value; }
 };
 
-/// The name of a continuous spectrum, a wavelength, or a list of wavelengths.
+/// A list of different wavelengths, nm.
+struct Wavelengths {
+  bool read(const Value& in, std::vector<double>& out) const;
+  Json schema() const;
+  Json write(const std::vector<double>&) const { return {}; }
+};
+
+/// A list of numbers above 0.
+struct Weights {
+  bool read(const Value& in, std::vector<double>& out) const;
+  Json schema() const;
+  Json write(const std::vector<double>&) const { return {}; }
+};
+
+/// The name of a continuous spectrum, a wavelength, a list of wavelengths, or a table with the keys of SpectrumKeys
+/// (scene_keys.h).
 struct Spectrum {
   bool read(const Value& in, SpectrumSettings& out) const;
   Json schema() const;

@@ -50,6 +50,18 @@ std::string shapesWith(std::string_view key) {
   return list;
 }
 
+void checkLength(TableReader& reader, const PyramidSettings& pyramid) {
+  for (const std::string_view key : {"aspect", "upper", "lower", "slope"})
+    if (reader.rejected(key)) return;
+  const double length = lengthOverWidth(pyramid);
+  const Range range{kThinnestAspect, kLongestAspect};
+  if (range.contains(length)) return;
+  // With the other defaults no slope makes a crystal too thin, and none but a given one too long.
+  reader.reject(
+      length > kLongestAspect && reader.has("slope") ? "slope" : "aspect",
+      "the crystal is " + formatNumber(length) + " times as long as wide; that must be a number " + range.text());
+}
+
 void checkShape(TableReader& reader, const PopulationKeys& keys) {
   if (reader.rejected("shape")) return;
   for (const std::string_view key : keysOfChosen(keys).others) {
@@ -57,9 +69,7 @@ void checkShape(TableReader& reader, const PopulationKeys& keys) {
     reader.reject(key, "a " + std::string(nameOf(keys.shape)) + " has no '" + std::string(key) + "'",
                   "it needs shape = " + shapesWith(key));
   }
-  const auto* pyramid = std::get_if<PyramidSettings>(&keys.shape);
-  if (pyramid && pyramid->aspect == 0.0 && pyramid->upper == 0.0 && pyramid->lower == 0.0)
-    reader.reject("aspect", "a crystal without a prism part and without pyramids is flat");
+  if (const auto* pyramid = std::get_if<PyramidSettings>(&keys.shape)) checkLength(reader, *pyramid);
 }
 
 /// Why an orientation has neither tilt nor roll of its own, and what to do about it; nothing where it has.

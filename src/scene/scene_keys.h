@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "scene/camera_kinds.h"
 #include "scene/distribution_kinds.h"
@@ -17,14 +18,29 @@
 
 namespace parhelion {
 
+/// A spectrum as a table.
+struct SpectrumKeys {
+  std::vector<double> wavelengths, weights;
+  std::optional<double> blackbody = std::nullopt;
+};
+
+template <class Visitor>
+void visitKeys(Visitor& v, SpectrumKeys& s) {
+  v.key("wavelengths", kinds::Wavelengths{}, s.wavelengths, "Spectral lines, nm.");
+  v.key("weights", kinds::Weights{}, s.weights, "Energies of the lines, in any unit; all alike when left out.");
+  v.key("blackbody", kinds::Optional{kinds::Number{{500, 1e6}}}, s.blackbody,
+        "Temperature of a black body, kelvin; instead of lines.");
+}
+
 template <class Visitor>
 void visitKeys(Visitor& v, SunSettings& sun) {
   v.key("elevation", kinds::Angle{{-90, 90}}, sun.elevation, "Elevation of the sun above the horizon, degrees.");
   v.key("diameter", kinds::Angle{{0, 10}}, sun.diameter, "Diameter of the sun's disc, degrees; 0 is a point sun.");
-  v.key(
-      "spectrum", kinds::Spectrum{}, sun.spectrum,
-      "Sunlight: \"sun\" (extraterrestrial), \"sun-am1.5\" (through 1.5 atmospheres), \"equal\" energy, one wavelength "
-      "in nm (luminance only), or a list of wavelengths of equal energy.");
+  v.key("spectrum", kinds::Spectrum{}, sun.spectrum,
+        "Sunlight: \"sun\" (extraterrestrial), \"sun-am1.5\" (through 1.5 atmospheres), \"equal\" energy, an "
+        "illuminant of "
+        "the CIE (\"A\", \"D50\", \"D55\", \"D65\", \"D75\", \"E\"), one wavelength in nm (luminance only), a list of "
+        "wavelengths of equal energy, { wavelengths = [...], weights = [...] }, or { blackbody = 3000 } kelvin.");
   v.key("visible", kinds::Flag{}, sun.visible, "Draw the undeviated light, with its disc, into the image.");
 }
 
@@ -70,8 +86,8 @@ void visitKeys(Visitor& v, PopulationKeys& p) {
       "roll about it.");
   v.key(
       "tilt", kinds::Optional{kinds::Spread{}}, p.tilt,
-      "Spread of the axis about its rest, degrees: a number is the sigma of a normal density per solid angle. Exactly "
-      "at rest when left out.");
+      "Spread of the axis about its rest, degrees: a number is the sigma of a normal density per solid angle. An axis "
+      "that is tilted past a pole comes down on the other side. Exactly at rest when left out.");
   v.key(
       "roll", kinds::Optional{kinds::Spread{}}, p.roll,
       "Spread of the rotation about the c axis (lowitz: about its horizontal axis), degrees. Left out: none for parry, "
@@ -87,8 +103,10 @@ struct AxisKeys {
 
 template <class Visitor>
 void visitKeys(Visitor& v, AxisKeys& axis) {
-  v.key("zenith", kinds::Optional{kinds::AngleValue{kinds::AngleValue::Of::zenith}}, axis.zenith,
-        "Zenith angle of the c axis, degrees.");
+  v.key(
+      "zenith", kinds::Optional{kinds::AngleValue{kinds::AngleValue::Of::zenith}}, axis.zenith,
+      "Zenith angle of the c axis, degrees. Of a distribution, what lies beyond 0 or 180 comes down on the other side "
+      "of the pole, at an azimuth 180 degrees further: { uniform = [-5, 10] }.");
   v.key("azimuth", kinds::AngleValue{kinds::AngleValue::Of::turn}, axis.azimuth,
         "Azimuth of the c axis from the sun, degrees.");
   v.key("roll", kinds::AngleValue{kinds::AngleValue::Of::turn}, axis.roll, "Rotation about the c axis, degrees.");

@@ -13,14 +13,16 @@ void TableReader::reject(std::string_view name, const std::string& message, cons
   Value{*table_.get(name), name, complaints_}.reject(message, hint);
 }
 
-void TableReader::rejectUnknown() {
+bool TableReader::rejectUnknown() {
   std::vector<std::string_view> sorted = accepted_;
   std::sort(sorted.begin(), sorted.end());
   std::string list;
   for (const std::string_view name : sorted) list += (list.empty() ? "" : ", ") + std::string(name);
 
+  bool good = true;
   for (const auto& [key, node] : table_) {
     if (std::binary_search(sorted.begin(), sorted.end(), key.str())) continue;
+    good = false;
     std::string hint = didYouMean(key.str(), sorted);
     if (!hint.empty()) hint += ' ';
     const std::string homes = tablesWithKey(key.str());
@@ -30,6 +32,7 @@ void TableReader::rejectUnknown() {
     complaints_.add(placeOf(key.source(), complaints_),
                     std::string("unknown key '").append(printable(key.str(), 60)) + "'" + where, hint);
   }
+  return good;
 }
 
 }  // namespace parhelion

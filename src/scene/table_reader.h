@@ -31,8 +31,8 @@ class TableReader {
   /// Complains at the value of a key that the table has.
   void reject(std::string_view name, const std::string& message, const std::string& hint = "");
 
-  /// Complains about the keys that nobody has asked for.
-  void rejectUnknown();
+  /// Complains about the keys that nobody has asked for; false where there are some.
+  bool rejectUnknown();
 
  private:
   const toml::table& table_;

@@ -48,8 +48,11 @@ class CameraComparison {
   void numbers(const CameraKey& key, auto /*unit*/, auto member, const auto& /*parts*/) {
     if (sameProjection_ && !(one_.*member == other_.*member)) lens_.push_back(cameraKey(key));
   }
+  void choice(const CameraKey& key, auto member) {
+    if (one_.*member != other_.*member) reach_.push_back(cameraKey(key));
+  }
   void fieldOfView(const FieldOfViewAttributes&, InDegrees) {
-    if (!sameProjection_) return;
+    if (!sameProjection_ || showsHemispheres(one_.projection)) return;
     const double focal = Camera(one_).focalLength() / one_.width;
     const double otherFocal = Camera(other_).focalLength() / other_.width;
     if (std::abs(focal - otherFocal) > kSameFocal * focal) lens_.emplace_back("the camera's field of view");

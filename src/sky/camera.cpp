@@ -7,6 +7,9 @@
 #include <stdexcept>
 #include <string>
 
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
 #include "math/portable.h"
 #include "math/rotation.h"
 #include "picture/image.h"
@@ -17,6 +20,8 @@ namespace {
 
 // Cosines of unit vectors are off by a few 1e-16; light on the image circle is to count as inside.
 constexpr double kCosineSlack = 1e-14;
+
+constexpr double kSameAngle = 1e-12;  // rad; more than rounding from degrees
 
 /// Degrees that a projection can show.
 Range widest(Projection projection) {
@@ -45,12 +50,18 @@ CameraSettings validated(const CameraSettings& s) {
   require(static_cast<long long>(s.width) * s.height <= kMaxImagePixels, "a picture has at most 2^28 pixels");
   require(s.fieldOfView > 0.0 && withinLimit(s.projection, s.fieldOfView),
           "the field of view must be positive and within what the projection can show");
-  require(s.imageCircle == 0.0 || isFisheye(s.projection), "only a fisheye has an image circle");
+  const bool isFixed = showsHemispheres(s.projection);
+  require(!isFixed || std::abs(s.fieldOfView - kPi) < kSameAngle, "a picture of hemispheres shows 180 degrees of each");
+  require(s.width % discs(s.projection) == 0, "two hemispheres side by side need an even width");
+  require(s.imageCircle == 0.0 || (isFisheye(s.projection) && !isFixed), "only a fisheye has an image circle");
   require(s.imageCircle >= 0.0 && withinLimit(s.projection, s.imageCircle),
           "the image circle must be within what the projection can show");
   const Distortion& d = s.distortion;
   require(std::isfinite(d.k1) && std::isfinite(d.k2) && std::isfinite(d.k3), "distortion must be finite");
-  require(d.none() || isAzimuthal(s.projection), "only lenses have distortion");
+  require(d.none() || (isAzimuthal(s.projection) && !isFixed), "only single lenses have distortion");
+  require(std::isfinite(s.shift.x) && std::isfinite(s.shift.y), "a shift must be finite");
+  require(s.shift == Shift() || (isAzimuthal(s.projection) && !isFixed),
+          "only the picture of a single lens can be shifted");
   return s;
 }
 
@@ -60,6 +71,7 @@ double radiusAt(Projection projection, double angle) {
 }
 
 double extentPixels(const CameraSettings& s) {
+  if (showsHemispheres(s.projection)) return std::min(s.width / discs(s.projection), s.height);
   const double width = s.width, height = s.height;
   switch (s.fieldOfViewAxis) {
     case FieldOfViewAxis::horizontal:
@@ -70,6 +82,12 @@ double extentPixels(const CameraSettings& s) {
       return std::sqrt(width * width + height * height);
   }
   throw std::invalid_argument("camera: no such axis of the field of view");
+}
+
+/// A direction after half a turn about a unit axis.
+std::optional<Vec3> halfATurn(const std::optional<Vec3>& direction, const Vec3& axis) {
+  if (!direction) return std::nullopt;
+  return 2.0 * glm::dot(*direction, axis) * axis - *direction;
 }
 
 /// Angle of the image circle from the axis.
@@ -84,18 +102,22 @@ double maxAngle(const CameraSettings& s) {
 Camera::Camera(const CameraSettings& settings)
     : settings_(validated(settings)),
       forward_(skyDirection(settings.azimuth, settings.elevation)),
-      centre_(0.5 * settings.width, 0.5 * settings.height),
+      centre_(0.5 * settings.width / discs(settings.projection), 0.5 * settings.height),
+      discStep_(discs(settings.projection) > 1 ? 0.5 * settings.width : 0.0),
       focal_(0.5 * extentPixels(settings) / radiusAt(settings.projection, 0.5 * settings.fieldOfView)),
       idealRadius_(std::numeric_limits<double>::infinity()),
       circleRadius_(std::numeric_limits<double>::infinity()),
       minCosine_(std::numeric_limits<double>::min()) {
+  centre_ += focal_ * Vec2(-settings.shift.x, settings.shift.y);
+
   // Up is d skyDirection / d elevation, which is defined at the zenith too.
   const auto [sinAz, cosAz] = portable::sincos(settings.azimuth);
   const auto [sinEl, cosEl] = portable::sincos(settings.elevation);
   const Vec3 up{-sinEl * cosAz, sinEl * sinAz, cosEl};
-  const Vec3 right = glm::cross(forward_, up);
+  const Vec3 observersRight = glm::cross(forward_, up);
+  const Vec3 right = isMirrored(settings.projection) ? -observersRight : observersRight;
 
-  // A camera turned clockwise has its top turned toward the observer's right.
+  // A camera turned clockwise has its top turned toward the picture's right.
   const auto [sinRoll, cosRoll] = portable::sincos(settings.roll);
   up_ = cosRoll * up + sinRoll * right;
   right_ = cosRoll * right - sinRoll * up;
@@ -105,10 +127,22 @@ Camera::Camera(const CameraSettings& settings)
     minCosine_ = portable::cos(maxAngle(settings)) - kCosineSlack;
   }
   if (!settings.distortion.none()) limitDistortion();
+  if (!(settings.shift == Shift())) requireSky();
+}
+
+Vec2 Camera::farthestCorner() const {
+  const double discWidth = settings_.width / discs(settings_.projection), height = settings_.height;
+  return {2.0 * centre_.x >= discWidth ? 0.0 : discWidth, 2.0 * centre_.y >= height ? 0.0 : height};
+}
+
+void Camera::requireSky() const {
+  const Vec2 nearest = glm::clamp(centre_, Vec2(0.0), Vec2(settings_.width, settings_.height));
+  require(glm::length(nearest - centre_) < circleRadius_ * focal_,
+          "the shift moves the picture out of all that the lens shows");
 }
 
 void Camera::limitDistortion() {
-  const double fold = settings_.distortion.foldRadius(), corner = glm::length(centre_) / focal_;
+  const double fold = settings_.distortion.foldRadius(), corner = glm::length(farthestCorner() - centre_) / focal_;
   if (fold < idealRadius_) {
     require(settings_.distortion.distorted(fold) >= corner,
             "the distortion folds the picture over before it reaches the corners");
@@ -123,7 +157,7 @@ void Camera::limitDistortion() {
 
 bool Camera::isMirrorSymmetric() const {
   const double turns = settings_.azimuth / kPi;
-  return turns == std::floor(turns) && settings_.roll == 0.0;
+  return turns == std::floor(turns) && settings_.roll == 0.0 && discStep_ == 0.0 && settings_.shift.x == 0.0;
 }
 
 Lens Camera::lens() const {
@@ -136,7 +170,9 @@ Lens Camera::lens() const {
           triple(forward_),
           centre_.x,
           centre_.y,
+          discStep_,
           focal_,
+          cutsHorizon() ? -kCosineSlack : -2.0,
           minCosine_,
           settings_.distortion};
 }
@@ -165,8 +201,18 @@ std::optional<Vec3> Camera::toSky(Vec2 pixel) const {
 }
 
 std::optional<Vec3> Camera::directionAt(Vec2 pixel) const {
-  const Vec2 place{(pixel.x - centre_.x) / focal_, (centre_.y - pixel.y) / focal_};
+  const std::optional<Vec3> direction = directionThere(pixel);
+  return direction && cutsHorizon() && direction->z < -kCosineSlack ? std::nullopt : direction;
+}
+
+std::optional<Vec3> Camera::directionThere(Vec2 pixel) const {
+  const bool isBack = discStep_ > 0.0 && pixel.x >= discStep_;
+  const double x = isBack ? pixel.x - discStep_ : pixel.x;
+  const Vec2 place{(x - centre_.x) / focal_, (centre_.y - pixel.y) / focal_};
   return visitProjection(settings_.projection, [&](auto facts) -> std::optional<Vec3> {
+    if constexpr (facts.discs > 1) {
+      if (isBack) return halfATurn(azimuthalDirection(facts, place), up_);
+    }
     if constexpr (facts.isAzimuthal) {
       return azimuthalDirection(facts, place);
     } else {
@@ -189,6 +235,20 @@ std::optional<Vec3> Camera::azimuthalDirection(Facts facts, Vec2 p) const {
   }
   const auto [cosine, sinePerRadius] = facts.atSquaredRadius(r2);
   return sinePerRadius * (p.x * right_ + p.y * up_) + cosine * forward_;
+}
+
+Vec3 Camera::directionWithin(Vec2 place, bool isBack) const {
+  return visitProjection(settings_.projection, [&](auto facts) -> Vec3 {
+    if constexpr (facts.isAzimuthal) {
+      const double r = glm::length(place);
+      if (r > circleRadius_) place *= circleRadius_ * (1.0 - projections::kRounding) / r;
+      const std::optional<Vec3> direction = azimuthalDirection(facts, place);
+      return isBack ? *halfATurn(direction, up_) : *direction;
+    } else {
+      const Vec3 v = facts.anywhere(place);
+      return v.x * right_ + v.y * up_ + v.z * forward_;
+    }
+  });
 }
 
 }  // namespace parhelion

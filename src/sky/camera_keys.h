@@ -9,6 +9,7 @@
 //   number(key, unit, member)
 //   numberOrNone(key, unit, member)      0 stands for none
 //   numbers(key, unit, member, parts)    a struct of numbers, in scene files a list; all 0 when left out
+//   choice(key, member)                  one of the names of an enumeration
 //   fieldOfView(attributes, unit)        the angle and the axis it is along: one key of kFieldOfViewKeys for each axis
 //   resolution(key)                      no attribute: a picture has its size already
 
@@ -24,6 +25,7 @@ struct CameraKey {
   std::string_view name;       // in scene files
   std::string_view attribute;  // in a tally's file, after "camera."
   std::string_view documentation;
+  bool isNewer = false;  // left out of a tally's file where it has its default, as in files from before there was it
 };
 
 /// A number with what it accepts in scene files and the unit it has there and wherever people see it.
@@ -54,7 +56,7 @@ struct FieldOfViewKey {
 inline constexpr auto kFieldOfViewKeys = std::to_array<FieldOfViewKey>({
     {"fov_horizontal", "horizontal", FieldOfViewAxis::horizontal,
      "Field of view from left to right, degrees; one fov_… at most. Left out: 180 for a fisheye, 360 for "
-     "equirectangular, 60 for rectilinear."},
+     "equirectangular, 60 for rectilinear. Dual fisheyes and a globe always show whole hemispheres."},
     {"fov_vertical", "vertical", FieldOfViewAxis::vertical, "Field of view from bottom to top, degrees."},
     {"fov_diagonal", "diagonal", FieldOfViewAxis::diagonal, "Field of view from corner to corner, degrees."},
 });
@@ -74,7 +76,7 @@ void visitCameraKeys(Visitor& v) {
   v.number(CameraKey{"azimuth", "azimuth", "Azimuth of the optical axis from the sun, degrees."},
            InDegrees{{-360, 360}}, &CameraSettings::azimuth);
   v.number(CameraKey{"elevation", "elevation",
-                     "Elevation of the optical axis, degrees. Left out: 90 for a fisheye, 0 for the others."},
+                     "Elevation of the optical axis, degrees. Left out: 90 for a fisheye or two, 0 for the others."},
            InDegrees{{-90, 90}}, &CameraSettings::elevation);
   v.number(CameraKey{"roll", "roll", "Clockwise turn of the camera as its user sees it, degrees."},
            InDegrees{{-360, 360}}, &CameraSettings::roll);
@@ -90,8 +92,23 @@ void visitCameraKeys(Visitor& v) {
       Unitless{{-1000, 1000}}, &CameraSettings::distortion,
       std::to_array<NumberPart<Distortion>>(
           {{"k1", &Distortion::k1}, {"k2", &Distortion::k2}, {"k3", &Distortion::k3}}));
+  v.numbers(
+      CameraKey{
+          "shift", "",
+          "[x, y]: how many focal lengths the picture lies to the right of the optical axis and above it, as behind "
+          "a lens for perspective control. The field of view stays that of the centred picture.",
+          true},
+      Unitless{{-10, 10}}, &CameraSettings::shift,
+      std::to_array<NumberPart<Shift>>({{"shiftX", &Shift::x}, {"shiftY", &Shift::y}}));
+  v.choice(
+      CameraKey{"horizon", "horizon",
+                "\"cut\" leaves out what lies below the horizon: there the picture is black, and pixels on the horizon "
+                "show the sky above it alone.",
+                true},
+      &CameraSettings::horizon);
   v.resolution(CameraKey{"resolution", "",
-                         "[width, height] in pixels. Left out: [1024, 1024], [2048, 1024] for equirectangular."});
+                         "[width, height] in pixels. Left out: [1024, 1024], [2048, 1024] for equirectangular "
+                         "and dual fisheyes."});
 }
 
 }  // namespace parhelion

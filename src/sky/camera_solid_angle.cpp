@@ -16,6 +16,9 @@
 namespace parhelion {
 namespace {
 
+// Of the parts of a pixel's border and its area: a few hundred times what is lost in adding them.
+constexpr double kRoundingOfTerms = 1e-13;
+
 /// A projection that knows the solid angle of a rectangle in its undistorted picture.
 template <class Facts>
 concept KnowsRectangles = requires(Vec2 corner) {
@@ -79,15 +82,31 @@ double Camera::azimuthalSolidAngle(Facts facts, Vec2 lo, Vec2 hi) const {
     const double edges = (top.angle - bottom.angle) + (right.angle - left.angle);
     const double arcs = 2.0 * kPi * axisShare(lo.x, hi.x) * axisShare(lo.y, hi.y) - edges;
     sum += facts.circleHeight(idealRadius_ * idealRadius_) * arcs;
+    // A pixel that the circle touches in a corner shows no sky, whatever rounding leaves.
+    const double terms = std::abs(top.integral) + std::abs(bottom.integral) + std::abs(right.integral) +
+                         std::abs(left.integral) + (hi.x - lo.x) * (hi.y - lo.y);
+    if (sum < kRoundingOfTerms * terms) return 0.0;
   }
   return std::max(0.0, sum);
 }
 
 double Camera::solidAngle(int x, int y) const {
-  // The axis is the picture's centre, so all four quarters are alike; take the first.
-  const double column = std::min(x, width() - 1 - x), row = std::min(y, height() - 1 - y);
-  const Vec2 lo = (Vec2{column, row} - centre_) / focal_;
-  const Vec2 hi = (Vec2{column + 1.0, row + 1.0} - centre_) / focal_;
+  if (cutsHorizon()) {
+    const bool isBack = discStep_ > 0.0 && x >= discStep_;
+    const Vec2 left{(x - (isBack ? discStep_ : 0.0) - centre_.x) / focal_, (centre_.y - (y + 1.0)) / focal_};
+    return solidAngleAbove(left, left + 1.0 / focal_, isBack);
+  }
+  // Above and below the axis pixels are alike, so y may grow downward. Where the axis is the centre of the picture or
+  // of its half, all four quarters are alike; take the first.
+  const int discWidth = width() / discs(settings_.projection);
+  x %= discWidth;
+  const double column = hasAlikeQuarters() ? std::min(x, discWidth - 1 - x) : x;
+  const double row = hasAlikeQuarters() ? std::min(y, height() - 1 - y) : y;
+  const Vec2 corner{column, row};
+  return solidAngleOf((corner - centre_) / focal_, (corner + 1.0 - centre_) / focal_);
+}
+
+double Camera::solidAngleOf(Vec2 lo, Vec2 hi) const {
   return visitProjection(settings_.projection, [&](auto facts) {
     if constexpr (!facts.isAzimuthal) {
       return facts.rectangle(lo, hi);
@@ -104,10 +123,10 @@ std::vector<double> Camera::solidAngles() const {
   std::vector<double> all(static_cast<std::size_t>(width()) * height());
   for (int y = 0; y < height(); ++y) {
     for (int x = 0; x < width(); ++x) {
-      const bool firstQuarter = 2 * x < width() && 2 * y < height();
+      const bool isOwn = x < ownColumns() && y < ownRows();
       const std::size_t mirrored = static_cast<std::size_t>(std::min(y, height() - 1 - y)) * width() +
                                    static_cast<std::size_t>(std::min(x, width() - 1 - x));
-      all[static_cast<std::size_t>(y) * width() + x] = firstQuarter ? solidAngle(x, y) : all[mirrored];
+      all[static_cast<std::size_t>(y) * width() + x] = isOwn ? solidAngle(x, y) : all[mirrored];
     }
   }
   return all;

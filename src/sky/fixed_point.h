@@ -2,9 +2,12 @@
 #pragma once
 
 // Sums of light as exact integers. Integer addition is associative, so any number of threads and any order of merging
-// give the same bits, and a bin never stalls as a float does at 2^24.
+// give the same bits, and a bin never stalls as a float does at 2^24. Light that does not fit throws
+// std::overflow_error: no sum is ever wrong without a word.
 
+#include <cmath>
 #include <cstdint>
+#include <stdexcept>
 
 namespace parhelion {
 
@@ -13,13 +16,26 @@ namespace parhelion {
 inline constexpr double kWeightScale = 0x1p28;
 
 /// Units per squared unit of light. Coarser, because one wavelength a ray makes the mean square of its luminance as
-/// large as 2.7 (the 1931 observer over an equal spectrum): 3e10 rays may bring a mean square of 4.5.
+/// large as 2.7 (the 1931 observer over an equal spectrum): 3e10 rays may bring a mean square of 4.5. Bundles of more
+/// than four rays that are all of one bin bring more: then fewer rays fit.
 inline constexpr double kSquareScale = 0x1p26;
 
-/// `light * scale` rounded to the nearest integer; the product must be below 2^63 in magnitude.
+[[noreturn]] inline void rejectLight() {
+  throw std::overflow_error(
+      "more light in one place than a tally can hold (64 bits): trace fewer rays at a time, or give sun.spectrum fewer "
+      "wavelengths");
+}
+
+/// `light * scale` rounded to the nearest integer. Throws std::overflow_error where that is not below 2^63.
 inline std::int64_t toFixed(double light, double scale = kWeightScale) {
   const double units = light * scale;
+  if (!(std::abs(units) < 0x1p63)) rejectLight();
   return static_cast<std::int64_t>(units + (units < 0.0 ? -0.5 : 0.5));  // the cast cuts toward zero
+}
+
+/// Adds to a sum. Throws std::overflow_error where the result does not fit.
+inline void addFixed(std::int64_t& sum, std::int64_t amount) {
+  if (__builtin_add_overflow(sum, amount, &sum)) rejectLight();
 }
 
 inline double fromFixed(std::int64_t sum, double scale = kWeightScale) { return static_cast<double>(sum) / scale; }

@@ -11,7 +11,10 @@ struct Lens {
   Projection projection;
   double width, height;               // pixels
   Triple<double> right, up, forward;  // world, orthonormal
-  double centreX, centreY, focal;     // pixels
+  double centreX, centreY;            // pixels; of the left one of two discs
+  double discStep;                    // pixels from the left to the right one of two
+  double focal;                       // pixels
+  double lowest;                      // height of a unit vector, below which nothing is seen
   double minCosine;                   // of angles from the axis inside the image circle
   Distortion distortion;
 
@@ -27,14 +30,22 @@ struct Lens {
   template <class T>
   PARHELION_INLINE PicturePlace<T> place(const Triple<T>& toSky) const {
     const Triple<T> v{along(right, toSky), along(up, toSky), along(forward, toSky)};
-    const auto [seen, x, y] = visitProjection(
+    PicturePlace<T> found = visitProjection(
         projection, [&](auto facts) __attribute__((always_inline))->PicturePlace<T> {
-          if constexpr (facts.isAzimuthal)
-            return azimuthalPlace(facts, v);
-          else
-            return facts.place(v);
+          if constexpr (facts.discs > 1) {
+            const MaskOf<T> back = v.z < 0.0;
+            const Triple<T> turned{select(back, -v.x, v.x), v.y, select(back, -v.z, v.z)};
+            PicturePlace<T> place = inPixels(azimuthalPlace(facts, turned));
+            place.x = place.x + select(back, all<T>(discStep), T{});
+            return place;
+          } else if constexpr (facts.isAzimuthal) {
+            return inPixels(azimuthalPlace(facts, v));
+          } else {
+            return inPixels(facts.place(v));
+          }
         });
-    return {seen, centreX + x * (focal * kShrink), centreY - y * (focal * kShrink)};
+    found.inside = found.inside & (toSky.z >= lowest);
+    return found;
   }
 
  private:
@@ -42,6 +53,11 @@ struct Lens {
   // (the horizon, the poles, the antisolar point) falls inside in spite of rounding, which is a thousand times smaller.
   // 1e-12 of half a picture is far below a pixel.
   static constexpr double kShrink = 1.0 - 1e-12;
+
+  template <class T>
+  PARHELION_INLINE PicturePlace<T> inPixels(const PicturePlace<T>& place) const {
+    return {place.inside, centreX + place.x * (focal * kShrink), centreY - place.y * (focal * kShrink)};
+  }
 
   template <class T>
   static PARHELION_INLINE T along(const Triple<double>& axis, const Triple<T>& v) {

@@ -8,6 +8,10 @@
 // Each struct has
 //   isFisheye             whether it has an image circle
 //   isAzimuthal           whether the picture is alike all around the optical axis; only then may a lens distort it
+//   isPanorama            whether x is longitude and y latitude of the camera's frame, so that a whole turn closes
+//   showsHemispheres      whether it always shows one or two whole hemispheres: no field of view can be chosen
+//   discs                 how many of them, side by side; each of two is a picture of the projection `ofDisc`
+//   isMirrored            whether left and right are changed over, as from outside
 //   fieldOfView           degrees that a picture can show along its width or diagonal
 //   verticalFieldOfView   and along its height
 //   hasDiagonal           whether a field of view along the diagonal makes sense
@@ -25,14 +29,17 @@
 // The others have
 //   place(v)              where a direction appears; for lanes too
 //   direction(p)          its inverse; none where the picture shows no sky
+//   anywhere(p)           the same going on smoothly there
 //   rectangle(lo, hi)     solid angle (sr) of the part of the sky that a rectangle shows
 
 #include <cassert>
 
 #include "sky/projection.h"
+#include "sky/projections/dual_fisheye.h"
 #include "sky/projections/equal_area.h"
 #include "sky/projections/equidistant.h"
 #include "sky/projections/equirectangular.h"
+#include "sky/projections/globe.h"
 #include "sky/projections/orthographic.h"
 #include "sky/projections/rectilinear.h"
 #include "sky/projections/stereographic.h"
@@ -55,6 +62,16 @@ PARHELION_INLINE constexpr auto visitProjection(Projection projection, const Vis
       return visit(projections::Orthographic{});
     case Projection::equirectangular:
       return visit(projections::Equirectangular{});
+    case Projection::dualFisheyeEqualArea:
+      return visit(projections::DualFisheye<projections::EqualArea, Projection::fisheyeEqualArea>{});
+    case Projection::dualFisheyeEquidistant:
+      return visit(projections::DualFisheye<projections::Equidistant, Projection::fisheyeEquidistant>{});
+    case Projection::dualFisheyeStereographic:
+      return visit(projections::DualFisheye<projections::Stereographic, Projection::fisheyeStereographic>{});
+    case Projection::dualFisheyeOrthographic:
+      return visit(projections::DualFisheye<projections::Orthographic, Projection::fisheyeOrthographic>{});
+    case Projection::globe:
+      return visit(projections::Globe{});
   }
   assert(false);
   __builtin_unreachable();

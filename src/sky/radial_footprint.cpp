@@ -53,6 +53,18 @@ double triangle(const Vec3& a, const Vec3& b, const Vec3& c) {
   return 0.5 * std::abs(glm::dot(glm::cross(b - a, c - a), a));
 }
 
+Camera withoutHorizon(const Camera& camera) {
+  CameraSettings settings = camera.settings();
+  settings.horizon = Horizon::keep;
+  return Camera(settings);
+}
+
+/// The point of the horizon above a unit vector; for the nadir any.
+Vec3 onHorizon(const Vec3& toSky) {
+  const double sine = std::sqrt(toSky.x * toSky.x + toSky.y * toSky.y);
+  return sine > 0.0 ? Vec3(toSky.x / sine, toSky.y / sine, 0.0) : Vec3(1.0, 0.0, 0.0);
+}
+
 /// Change from pixel to pixel, given the values of the pixel before, the pixel and the one after, as far as the picture
 /// has them: the lesser of the two, because a neighbour cut by the image circle tells nothing.
 double lesserChange(const double* before, double here, const double* after) {
@@ -65,16 +77,17 @@ double lesserChange(const double* before, double here, const double* after) {
 
 SkyBorder::SkyBorder(const Camera& camera)
     : fisheye_(isFisheye(camera.settings().projection)),
-      centre_(0.5 * camera.width(), 0.5 * camera.height()),
+      centre_(camera.axis()),
       reach_(camera.focalLength() * Vec2(kPi, 0.5 * kPi)) {
   if (!fisheye_) return;
-  // Bisection between the centre and a corner: the camera knows its circle as an angle.
+  // Bisection between the axis and a corner: the camera knows its circle as an angle.
+  const Vec2 corner = camera.farthestCorner();
   double inside = 0.0, outside = 1.0;
   while (outside - inside > kSlack) {
     const double middle = 0.5 * (inside + outside);
-    (camera.toSky(centre_ * (1.0 - middle)) ? inside : outside) = middle;
+    (camera.directionAt(middle * corner + centre_ * (1.0 - middle)) ? inside : outside) = middle;
   }
-  reach_ = Vec2(inside * glm::length(centre_));
+  reach_ = Vec2(inside * glm::length(corner - centre_));
 }
 
 Vec2 SkyBorder::moved(Vec2 pixel) const {
@@ -86,9 +99,10 @@ Vec2 SkyBorder::moved(Vec2 pixel) const {
 Vec2 SkyBorder::innermost(Vec2 lo, double size) const { return glm::clamp(centre_, lo, lo + size); }
 
 RadialFootprint::RadialFootprint(const Camera& camera, const RadialSky& sky)
-    : camera_(camera),
+    : camera_(withoutHorizon(camera)),
       sky_(sky),
-      border_(camera),
+      border_(camera_),
+      cutsHorizon_(camera.cutsHorizon()),
       solidAngles_(camera.solidAngles()),
       share_(static_cast<std::size_t>(sky.bins()), 0.0) {}
 
@@ -114,9 +128,11 @@ void RadialFootprint::setPixel(int x) {
 }
 
 RadialFootprint::Point RadialFootprint::pointAt(Vec2 pixel) const {
-  if (const auto toSky = camera_.toSky(pixel)) return {*toSky, sky_.place(*toSky), false};
-  const Vec3 toBorder = camera_.toSky(border_.moved(pixel)).value();
-  return {toBorder, sky_.place(toBorder), true};
+  const auto seen = camera_.toSky(pixel);
+  Vec3 toSky = seen ? *seen : camera_.directionAt(border_.moved(pixel)).value();
+  const bool isBelow = cutsHorizon_ && toSky.z < 0.0;
+  if (isBelow) toSky = onHorizon(toSky);
+  return {toSky, sky_.place(toSky), !seen || isBelow};
 }
 
 /// The corners of the pixels on a horizontal line of the picture.
@@ -153,7 +169,11 @@ void RadialFootprint::cover(const Cell& cell, int depth) {
   const auto& at = cell.at;
   const Point centre = pointAt(cell.lo + 0.5 * cell.size);
   const bool cut = centre.moved || at[0][0].moved || at[0][1].moved || at[1][0].moved || at[1][1].moved;
-  if (cut && !camera_.toSky(border_.innermost(cell.lo, cell.size))) return;
+  if (cut && !camera_.directionAt(border_.innermost(cell.lo, cell.size))) return;
+  const auto isAbove = [](const Point& point) { return point.toSky.z > 0.0; };
+  const bool above =
+      isAbove(centre) || isAbove(at[0][0]) || isAbove(at[0][1]) || isAbove(at[1][0]) || isAbove(at[1][1]);
+  if (cutsHorizon_ && cut && !above) return;
   const double p00 = at[0][0].place, p10 = at[0][1].place, p01 = at[1][0].place, p11 = at[1][1].place;
   const double gx = 0.5 * ((p10 - p00) + (p11 - p01)), gy = 0.5 * ((p01 - p00) + (p11 - p10));
   const double rise = 0.25 * (p00 + p10 + p01 + p11) - centre.place;  // 1/8 of the Laplacian

@@ -17,7 +17,7 @@ class SkyBorder {
 
   Vec2 moved(Vec2 pixel) const;
 
-  /// The point of a square that is nearest to the picture's centre: if that shows no sky, nor does any other.
+  /// The point of a square that is nearest to the optical axis: if that shows no sky, nor does any other.
   Vec2 innermost(Vec2 lo, double size) const;
 
  private:
@@ -28,7 +28,7 @@ class SkyBorder {
 /// Which rings of a radial sky a pixel lies in, and how much of it in each.
 class RadialFootprint {
  public:
-  /// Both must outlive the footprint.
+  /// The sky must outlive the footprint.
   RadialFootprint(const Camera& camera, const RadialSky& sky);
 
   /// Takes a row of the picture, then a pixel of it.
@@ -66,9 +66,10 @@ class RadialFootprint {
   void split(const Cell& cell, const Point& centre, int depth);
   void spread(double place, double gx, double gy, double shift, double weight);
 
-  const Camera& camera_;
+  Camera camera_;  // sees below the horizon, too
   const RadialSky& sky_;
   SkyBorder border_;
+  bool cutsHorizon_;
   std::vector<double> solidAngles_;  // of all pixels
   int row_ = -1;
   std::vector<Point> upper_, lower_;  // corners of the row's pixels

@@ -4,28 +4,32 @@
 #include <stdexcept>
 
 #include "sky/camera.h"
+#include "sky/picture_parts.h"
 #include "sky/radial_footprint.h"
 
 namespace parhelion {
 namespace {
 
-/// The smallest step of a pixel along a radius of the picture, as a chord on the unit sphere.
-double smallestPixel(const Camera& camera) {
+/// The smallest step of a pixel along a radius of the picture, as a chord on the unit sphere; the horizon does not
+/// matter.
+double smallestPixel(CameraSettings settings) {
+  settings.horizon = Horizon::keep;
+  const Camera camera(settings);
   // A panorama's pixels are as high everywhere; that they get narrow near its poles needs no finer rings.
-  if (camera.settings().projection == Projection::equirectangular) return 1.0 / camera.focalLength();
+  if (isPanorama(camera.settings().projection)) return 1.0 / camera.focalLength();
   const SkyBorder border(camera);
-  const Vec2 centre{0.5 * camera.width(), 0.5 * camera.height()};
+  const Vec2 centre = camera.axis(), corner = camera.farthestCorner();
   double smallest = 1.0 / camera.focalLength();
-  for (const Vec2& side : {Vec2(0.0, centre.y), Vec2(centre.x, 0.0), Vec2(0.0)}) {
-    const Vec2 outer = camera.toSky(side) ? side : border.moved(side);
-    const auto a = camera.toSky(outer), b = camera.toSky(outer + glm::normalize(centre - outer));
+  for (const Vec2& side : {Vec2(corner.x, centre.y), Vec2(centre.x, corner.y), corner}) {
+    const Vec2 outer = camera.directionAt(side) ? side : border.moved(side);
+    const auto a = camera.directionAt(outer), b = camera.directionAt(outer + glm::normalize(centre - outer));
     if (a && b) smallest = std::min(smallest, glm::distance(*a, *b));
   }
   return smallest;
 }
 
 /// An even number of rings, so that one ends at 90 degrees.
-int ringsFor(const Camera& camera) {
+int ringsFor(const CameraSettings& camera) {
   // Few large pixels need rings as fine as the halos themselves: 0.02 to 0.03 degrees keep an edge where it is.
   constexpr int kFewestRings = 1 << 13, kMostRings = 1 << 16;
   const double wanted = std::max<double>(kFewestRings, 8.0 * 2.0 * std::sqrt(2.0) / smallestPixel(camera));
@@ -35,7 +39,9 @@ int ringsFor(const Camera& camera) {
 }  // namespace
 
 RadialSky::RadialSky(const TallyInfo& info, const Vec3& toCentre, int colours)
-    : toCentre_(toCentre), colours_(colours), rings_(static_cast<std::size_t>(ringsFor(Camera(info.camera)))) {
+    : toCentre_(toCentre),
+      colours_(colours),
+      rings_(static_cast<std::size_t>(ringsFor(partsOf(info.camera).front().camera))) {
   if (colours != 1 && colours != 3) throw std::invalid_argument("radial sky: colours must be 1 or 3");
   perChord_ = static_cast<double>(bins()) / (2.0 * std::sqrt(2.0));
   const auto inverseOrZero = [](double x) { return x > 0.0 ? 1.0 / x : 0.0; };
@@ -48,7 +54,7 @@ void RadialSky::merge(const RadialSky& other) {
     throw std::invalid_argument("radial sky: centre, rings or colours differ");
   }
   for (std::size_t i = 0; i < rings_.size(); ++i) {
-    for (std::size_t k = 0; k < rings_[i].place.size(); ++k) rings_[i].place[k] += other.rings_[i].place[k];
+    for (std::size_t k = 0; k < rings_[i].place.size(); ++k) addFixed(rings_[i].place[k], other.rings_[i].place[k]);
   }
 }
 
@@ -73,13 +79,15 @@ void RadialSky::setPixel(Tally& tally, int pixel, const RadialFootprint& footpri
 
 void RadialSky::spreadOver(Tally& tally) const {
   if (tally.colours() != colours_) throw std::invalid_argument("radial sky: the tally's colours differ");
-  const Camera camera(tally.info.camera);
-  RadialFootprint footprint(camera, *this);
-  for (int y = 0; y < camera.height(); ++y) {
-    footprint.setRow(y);
-    for (int x = 0; x < camera.width(); ++x) {
-      footprint.setPixel(x);
-      setPixel(tally, y * camera.width() + x, footprint);
+  for (const PicturePart& part : partsOf(tally.info.camera)) {
+    const Camera camera(part.camera);
+    RadialFootprint footprint(camera, *this);
+    for (int y = 0; y < camera.height(); ++y) {
+      footprint.setRow(y);
+      for (int x = 0; x < camera.width(); ++x) {
+        footprint.setPixel(x);
+        setPixel(tally, y * tally.width() + part.left + x, footprint);
+      }
     }
   }
 }

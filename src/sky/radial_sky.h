@@ -53,17 +53,18 @@ class RadialSky {
   }
 
   /// Adds the light (CIE XYZ) of one bundle to a ring; `firstHalf` is as in Tally::add(). Not for several threads at
-  /// once: each thread has a sky of its own, and these are merged.
+  /// once: each thread has a sky of its own, and these are merged. Throws std::overflow_error, as merge() does, where a
+  /// ring cannot hold the light.
   void add(int bin, const Vec3& xyz, bool firstHalf) {
     Ring& ring = rings_[static_cast<std::size_t>(bin)];
     const std::int64_t luminance = toFixed(xyz.y);
-    ring.place[Tally::kY] += luminance;
-    ring.place[Tally::kSquares] += toFixed(xyz.y * xyz.y, kSquareScale);
+    addFixed(ring.place[Tally::kY], luminance);
+    addFixed(ring.place[Tally::kSquares], toFixed(xyz.y * xyz.y, kSquareScale));
     ring.place[Tally::kHits] += 1;
-    if (firstHalf) ring.place[Tally::kFirstHalf] += luminance;
+    if (firstHalf) addFixed(ring.place[Tally::kFirstHalf], luminance);
     if (colours_ == 1) return;
-    ring.place[Tally::kX] += toFixed(xyz.x * perWhite_.x);
-    ring.place[Tally::kZ] += toFixed(xyz.z * perWhite_.z);
+    addFixed(ring.place[Tally::kX], toFixed(xyz.x * perWhite_.x));
+    addFixed(ring.place[Tally::kZ], toFixed(xyz.z * perWhite_.z));
   }
 
   /// Adds the light of another sky. Throws std::invalid_argument, and changes nothing, if centre, rings or colours

@@ -90,10 +90,10 @@ void Tally::merge(const Tally& other) {
   std::vector<RayRange> all = info.rays;
   all.insert(all.end(), other.info.rays.begin(), other.info.rays.end());
   info.rays = joined(std::move(all));
-  info.intercepted += other.info.intercepted;
-  info.undeviated += other.info.undeviated;
+  addFixed(info.intercepted, other.info.intercepted);
+  addFixed(info.undeviated, other.info.undeviated);
   for (std::size_t i = 0; i < lines_.size(); ++i) {
-    for (std::size_t k = 0; k < 8; ++k) lines_[i].place[k] += other.lines_[i].place[k];
+    for (std::size_t k = 0; k < 8; ++k) addFixed(lines_[i].place[k], other.lines_[i].place[k]);
   }
 }
 
@@ -102,9 +102,10 @@ void Tally::addMirrorImage() {
     for (int x = 0; 2 * x < width_; ++x) {
       const int left = y * width_ + x, right = y * width_ + width_ - 1 - x;
       for (int slot = 0; slot < slots(); ++slot) {
-        std::int64_t sum = raw(left, slot) + raw(right, slot);
-        if (left == right && slot == kHits) sum = raw(left, slot);
-        if (left == right && slot == kSquares) sum = 4 * raw(left, slot);
+        // In the middle column one deposit becomes one of twice the light.
+        const int images = left != right ? 2 : slot == kHits ? 1 : slot == kSquares ? 4 : 2;
+        std::int64_t sum = 0;
+        for (int i = 0; i < images; ++i) addFixed(sum, raw(i == 0 ? left : right, slot));
         setRaw(left, slot, sum);
         setRaw(right, slot, sum);
       }

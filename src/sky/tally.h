@@ -73,17 +73,18 @@ class Tally {
   ///
   /// A bundle may bring light to one pixel more than once. That light should be summed before and added once, else the
   /// sum of squares is too small.
+  ///
+  /// Throws std::overflow_error where the pixel cannot hold it.
   void add(int pixel, const Vec3& xyz, bool firstHalf) {
     deposit(pixel, xyz, firstHalf, [](std::int64_t& sum, std::int64_t amount) {
-      std::atomic_ref<std::int64_t>(sum).fetch_add(amount, std::memory_order_relaxed);
+      std::int64_t before = std::atomic_ref<std::int64_t>(sum).fetch_add(amount, std::memory_order_relaxed);
+      addFixed(before, amount);
     });
   }
 
   /// Does the same, several times faster. The caller must see to it that nobody else adds to the pixel at the same
   /// time.
-  void addExclusively(int pixel, const Vec3& xyz, bool firstHalf) {
-    deposit(pixel, xyz, firstHalf, [](std::int64_t& sum, std::int64_t amount) { sum += amount; });
-  }
+  void addExclusively(int pixel, const Vec3& xyz, bool firstHalf) { deposit(pixel, xyz, firstHalf, addFixed); }
 
   /// Tells the processor to fetch a pixel into the cache, because light will be added to it soon.
   void prefetch(int pixel) const { __builtin_prefetch(&at(static_cast<std::size_t>(pixel) * stride_), 1); }
@@ -106,12 +107,13 @@ class Tally {
 
   /// Adds the rays of another tally of the same scene. Gaps between the ranges of rays are allowed. Throws
   /// std::invalid_argument, and changes nothing, if scene, seed, camera or colours differ or if a ray is in both.
+  /// Throws std::overflow_error, and is good for nothing more, where one of the two is too full for the other.
   void merge(const Tally& other);
 
   bool operator==(const Tally& other) const;
 
   /// Adds to every pixel what its mirror image, left for right, holds. Each ray then counts for two. If the width is
-  /// odd, both land in the same pixel of the middle column.
+  /// odd, both land in the same pixel of the middle column. Throws std::overflow_error where a pixel cannot hold it.
   void addMirrorImage();
 
   /// The numbers that are stored for each pixel, for files. X and Z are relative to the white, so that none can

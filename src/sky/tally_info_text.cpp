@@ -92,8 +92,13 @@ class CameraToText {
     put(key.attribute, text(camera_.*member));
   }
   void numberOrNone(const CameraKey& key, auto unit, double CameraSettings::*member) { number(key, unit, member); }
-  void numbers(const CameraKey&, auto /*unit*/, auto member, const auto& parts) {
+  void numbers(const CameraKey& key, auto /*unit*/, auto member, const auto& parts) {
+    if (key.isNewer && camera_.*member == CameraSettings().*member) return;
     for (const auto& part : parts) put(part.name, text(camera_.*member.*part.member));
+  }
+  void choice(const CameraKey& key, auto member) {
+    if (key.isNewer && camera_.*member == CameraSettings().*member) return;
+    put(key.attribute, std::string(nameOf(camera_.*member)));
   }
   void fieldOfView(const FieldOfViewAttributes& names, InDegrees) {
     put(names.axis, std::string(keyOf(camera_.fieldOfViewAxis).axisName));
@@ -123,8 +128,17 @@ class CameraFromText {
     camera_.*member = get(key.attribute);
   }
   void numberOrNone(const CameraKey& key, auto unit, double CameraSettings::*member) { number(key, unit, member); }
-  void numbers(const CameraKey&, auto /*unit*/, auto member, const auto& parts) {
+  void numbers(const CameraKey& key, auto /*unit*/, auto member, const auto& parts) {
+    if (key.isNewer && !has(parts.front().name)) return;
     for (const auto& part : parts) camera_.*member.*part.member = get(part.name);
+  }
+  template <class Enumeration>
+  void choice(const CameraKey& key, Enumeration CameraSettings::*member) {
+    if (key.isNewer && !has(key.attribute)) return;
+    const std::string attribute = cameraAttribute(key.attribute);
+    const auto named = memberNamed<Enumeration>(value(attributes_, attribute));
+    if (!named) bad(attribute);
+    camera_.*member = *named;
   }
   void fieldOfView(const FieldOfViewAttributes& names, InDegrees) {
     const std::string attribute = cameraAttribute(names.axis);
@@ -137,6 +151,9 @@ class CameraFromText {
   void resolution(const CameraKey&) {}
 
  private:
+  bool has(std::string_view attribute) const {
+    return attributes_.contains(std::string(kPrefix) + cameraAttribute(attribute));
+  }
   double get(std::string_view attribute) { return parhelion::number<double>(attributes_, cameraAttribute(attribute)); }
 
   const ExrAttributes& attributes_;

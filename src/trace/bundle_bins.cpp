@@ -8,21 +8,28 @@ namespace parhelion {
 
 void BundleBins::add(const BundleDeposits<double>& bundle) {
   for (const auto& [bin, light] : bundle.all()) {
-    sums_[bin] += toFixed(light);
-    squares_[bin] += toFixed(light * light, kSquareScale);
+    addFixed(sums_[bin], toFixed(light));
+    squares_[bin].addUnits(toFixed(light * light, kSquareScale));
   }
 }
 
 void BundleBins::merge(const BundleBins& other) {
   for (int i = 0; i < size(); ++i) {
-    sums_[i] += other.sums_[i];
-    squares_[i] += other.squares_[i];
+    addFixed(sums_[i], other.sums_[i]);
+    squares_[i].merge(other.squares_[i]);
   }
 }
 
 double BundleBins::error(int bin, std::uint64_t bundles) const {
-  const double sum = light(bin), squares = fromFixed(squares_[bin], kSquareScale);
+  const double sum = light(bin), squares = squares_[bin].value() * (ExactSum::kScale / kSquareScale);
   return bundles > 0 ? std::sqrt(std::max(0.0, squares - sum * sum / static_cast<double>(bundles))) : 0.0;
+}
+
+double BundleBins::shareError(int bin, std::uint64_t bundles, double all) const {
+  if (bundles == 0) return 0.0;
+  constexpr double kRuleOfThree = 3.0;
+  if (sums_[bin] == 0) return std::min(1.0, kRuleOfThree / static_cast<double>(bundles));
+  return error(bin, bundles) / all;
 }
 
 }  // namespace parhelion

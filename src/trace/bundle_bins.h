@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "math/exact_sum.h"
 #include "sky/fixed_point.h"
 
 namespace parhelion {
@@ -34,6 +35,7 @@ class BundleDeposits {
 };
 
 /// For each of any number of bins, two exact sums over bundles: of the light that a bundle brought, and of its square.
+/// One bin may hold all the light of a run, and squares have room for bundles of any size.
 class BundleBins {
  public:
   explicit BundleBins(int bins) : sums_(bins), squares_(bins) {}
@@ -48,8 +50,15 @@ class BundleBins {
   /// The standard error of light(bin), where `bundles` bundles were traced in all.
   double error(int bin, std::uint64_t bundles) const;
 
+  /// The same as a share of `all` light that the bundles brought. In a bin without light nothing has scattered, and 0
+  /// would say that it is known to be dark: there it is 3 / `bundles`, by the rule of three. Of something that none of
+  /// n bundles did, no more than 3 in n do it in the long run, at 95 % confidence; each brings a whole bundle's light
+  /// at the most. 0 before the first bundle.
+  double shareError(int bin, std::uint64_t bundles, double all) const;
+
  private:
-  std::vector<std::int64_t> sums_, squares_;
+  std::vector<std::int64_t> sums_;
+  std::vector<ExactSum> squares_;  // their units are those of kSquareScale
 };
 
 }  // namespace parhelion

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -44,6 +45,10 @@ struct IncidenceTable {
   // ray weighs the quotient.
   double bound;
   bool rejects;
+
+  /// No ray weighs more: the lit half of a closed surface and the dark one cast the same shadow, so that a crystal's
+  /// shadow is at most half its surface.
+  double highestWeight() const { return std::max(1.0, 0.5 / bound); }
 };
 
 }  // namespace parhelion

@@ -9,15 +9,17 @@ void InterceptedLight::add(const TracedRays& traced) {
   const auto& [queue, exits, members, mesh, steps] = traced;
   for (int member = 0; member < members; ++member)
     for (int place = 0; place < queue.count; ++place)
-      intercepted_ += toFixed(queue.weight[place] * queue.light[queue.ray(member, place)].light);
+      addFixed(intercepted_, toFixed(queue.weight[place] * queue.light[queue.ray(member, place)].light));
   for (int exit = 0; exit < exits.count; ++exit)
     if (exits.undeviated[exit] != 0.0)
-      undeviated_ += toFixed(exits.energy[exit] * queue.light[static_cast<int>(exits.ray[exit])].light);
+      addFixed(undeviated_, toFixed(exits.energy[exit] * queue.light[static_cast<int>(exits.ray[exit])].light));
 }
 
 void InterceptedLight::addTo(TallyInfo& info, int images) const {
-  info.intercepted += images * intercepted_;
-  info.undeviated += images * undeviated_;
+  for (int image = 0; image < images; ++image) {
+    addFixed(info.intercepted, intercepted_);
+    addFixed(info.undeviated, undeviated_);
+  }
 }
 
 }  // namespace parhelion

@@ -3,7 +3,6 @@
 
 // Part of lane_code.cpp, and of nothing else.
 
-#include "math/exact_sum.h"
 #include "trace/branch.h"
 #include "trace/face_hit.h"
 #include "trace/lane_types.h"
@@ -11,13 +10,15 @@
 namespace parhelion {
 namespace {
 
-/// Sums of energies in the units of ExactSum, so that the order leaves no trace.
+/// Sums of energies in whole units, so that the order leaves no trace.
 class UnitSum {
  public:
+  explicit UnitSum(double perLight) : perLight_(perLight) {}
+
   PARHELION_INLINE void add(const Real& energy) {
-    // Behind 1.5 * 2^52 a number's last bit is a unit; energies are far below 2^11.
+    // Behind 1.5 * 2^52 a number's last bit is a unit, for up to 2^51 of them.
     constexpr double kShift = 0x1.8p52;
-    sum_ += bitsAs<Mask>(energy * ExactSum::kScale + kShift) - bitsAs<Mask>(Real{} + kShift);
+    sum_ += bitsAs<Mask>(energy * perLight_ + kShift) - bitsAs<Mask>(Real{} + kShift);
   }
   std::int64_t total() const {
     std::int64_t total = 0;
@@ -26,6 +27,7 @@ class UnitSum {
   }
 
  private:
+  double perLight_;
   Mask sum_{};
 };
 
@@ -44,7 +46,7 @@ PARHELION_INLINE void leave(const Triple<Real>& direction, const Real& energy, c
 
 void enter(const FaceTable& faces, std::uint64_t seed, PathRule rule, int member, RayQueue& queue, ExitList& exits,
            EnergyUnits& energy) {
-  UnitSum out;
+  UnitSum out(energy.perLight);
   for (int i = 0; i < queue.count; i += kLanes) {
     const int ray = queue.ray(member, i);
     const Mask real = below(i, queue.count);
@@ -130,7 +132,7 @@ PARHELION_INLINE void loseLight(int i, RayPool& pool, UnitSum& lost, EnergyUnits
 }
 
 void meetFaces(const FaceTable& faces, RayPool& pool, ExitList& exits, EnergyUnits& energy) {
-  UnitSum out, lost;
+  UnitSum out(energy.perLight), lost(energy.perLight);
   pool.endedCount = 0;
   for (int i = 0; i < pool.active; i += kLanes) {
     loseLight(i, pool, lost, energy);

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "math/exact_sum.h"
 #include "math/random.h"
 #include "sky/camera.h"
 #include "trace/exit_list.h"
@@ -24,9 +25,11 @@ struct Proposals {
   int rejectedCount;        // grows
 };
 
-/// Sums over exits and lost paths, in the units of ExactSum.
+/// Sums over exits and lost paths, in units of which `perLight` make the light of one ray. A ray may bring up to 2^51
+/// of them.
 struct EnergyUnits {
-  std::int64_t out = 0, lost = 0;
+  double perLight = ExactSum::kScale;
+  ExactSum::Units out = 0, lost = 0;
   int lostPaths = 0;
 };
 

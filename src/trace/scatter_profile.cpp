@@ -58,9 +58,13 @@ void ScatterProfile::addExit(const TracedRays& traced, int exit) {
   if (const int bin = binAt(angle); bin != kNoBin) deposits_.add(bin, energy);
   bundleCosine_ += energy * (undeviated ? 1.0 : glm::dot(incident, exits.lightDir(exit)));
   if (undeviated) undeviated_.add(energy);
-  const auto order = static_cast<std::size_t>(exits.order[exit]);
-  if (order >= byOrder_.size()) byOrder_.resize(order + 1);
-  byOrder_[order].add(energy);
+  orderSum(static_cast<std::size_t>(exits.order[exit])).add(energy);
+}
+
+/// Where the light that leaves at an internal encounter is added up.
+ExactSum& ScatterProfile::orderSum(std::size_t order) {
+  if (order >= byOrder_.size()) byOrder_.resize(std::min(order + 1, kOrders));
+  return order < kOrders ? byOrder_[order] : byOrderRest_;
 }
 
 void ScatterProfile::addRay(const TracedRays& traced, int member, int place) {
@@ -90,10 +94,11 @@ void ScatterProfile::merge(Film& fromThread) {
   bins_.merge(other.bins_);
   rays_ += other.rays_;
   bundles_ += other.bundles_;
-  for (const auto sum : {&ScatterProfile::intercepted_, &ScatterProfile::undeviated_, &ScatterProfile::cosine_,
-                         &ScatterProfile::cosineSquared_, &ScatterProfile::path_, &ScatterProfile::pathSquared_,
-                         &ScatterProfile::cutOff_, &ScatterProfile::lost_, &ScatterProfile::weight_,
-                         &ScatterProfile::perArea_, &ScatterProfile::surfacePerArea_, &ScatterProfile::volumePerArea_})
+  for (const auto sum :
+       {&ScatterProfile::intercepted_, &ScatterProfile::undeviated_, &ScatterProfile::cosine_,
+        &ScatterProfile::cosineSquared_, &ScatterProfile::path_, &ScatterProfile::pathSquared_,
+        &ScatterProfile::cutOff_, &ScatterProfile::lost_, &ScatterProfile::byOrderRest_, &ScatterProfile::weight_,
+        &ScatterProfile::perArea_, &ScatterProfile::surfacePerArea_, &ScatterProfile::volumePerArea_})
     (this->*sum).merge(other.*sum);
   byOrder_.resize(std::max(byOrder_.size(), other.byOrder_.size()));
   for (std::size_t k = 0; k < other.byOrder_.size(); ++k) byOrder_[k].merge(other.byOrder_[k]);
@@ -107,8 +112,7 @@ std::vector<ScatterProfile::Bin> ScatterProfile::bins() const {
     const double energy = all > 0.0 ? bins_.light(i) / all : 0.0;
     // cos(from) - cos(to), in the form that does not cancel for narrow bins.
     const double solidAngle = 4.0 * kPi * portable::sin(0.5 * (from + to)) * portable::sin(0.5 * (to - from));
-    bins.push_back(
-        {from, to, energy, all > 0.0 ? bins_.error(i, bundles_) / all : 0.0, 4.0 * kPi * energy / solidAngle});
+    bins.push_back({from, to, energy, bins_.shareError(i, bundles_, all), 4.0 * kPi * energy / solidAngle});
   }
   return bins;
 }
@@ -127,6 +131,7 @@ ScatterProfile::Summary ScatterProfile::summary() const {
   s.gError = errorOf(cosine_, cosineSquared_);
   s.undeviated = undeviated_.value() / all;
   for (const ExactSum& order : byOrder_) s.byOrder.push_back(order.value() / all);
+  s.byOrderRest = byOrderRest_.value() / all;
   s.external = s.byOrder.empty() ? 0.0 : s.byOrder[0];
   s.meanPath = path_.value() / all;
   s.meanPathError = errorOf(path_, pathSquared_);

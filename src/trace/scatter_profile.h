@@ -13,6 +13,9 @@ namespace parhelion {
 /// scattering that follow from it. Lengths in units of the hexagon's side.
 class ScatterProfile : public Film {
  public:
+  /// Encounters whose light is told one by one. Plates and columns hold a little light for some thousand more.
+  static constexpr std::size_t kOrders = 32;
+
   /// `bins` equal bins over [from, to] (rad, within [0, pi]); light outside them counts for the summary only.
   ScatterProfile(int bins, double from, double to);
 
@@ -23,7 +26,7 @@ class ScatterProfile : public Film {
   struct Bin {
     double from, to;  // rad
     double energy;    // share of all intercepted light
-    double error;     // its standard error
+    double error;     // its standard error (BundleBins::shareError())
     double phase;     // 4 pi energy / solid angle of the bin
   };
   std::vector<Bin> bins() const;
@@ -33,7 +36,8 @@ class ScatterProfile : public Film {
     double g, gError;                // mean cosine of the scattering angle, and its standard error
     double undeviated;               // share that goes on as if there were no crystal
     double external;                 // share reflected at the outside
-    std::vector<double> byOrder;     // share leaving at internal encounter k; 0 is external
+    std::vector<double> byOrder;     // share leaving at internal encounter k < kOrders; 0 is external
+    double byOrderRest;              // share leaving at all later ones together
     double meanPath, meanPathError;  // energy-weighted internal path per intercepted ray, and its standard error
     double volume, surface, meanProjectedArea;  // of the mean crystal of the cloud
     double cutOff, lost;                        // shares
@@ -45,6 +49,7 @@ class ScatterProfile : public Film {
   int binAt(double angle) const;
 
   void addExit(const TracedRays& traced, int exit);
+  ExactSum& orderSum(std::size_t order);
   void addRay(const TracedRays& traced, int member, int place);
 
   /// Standard error of `sum` over the intercepted light, from the sum of its squares per bundle.
@@ -59,8 +64,9 @@ class ScatterProfile : public Film {
   std::uint64_t rays_ = 0, bundles_ = 0;
   ExactSum intercepted_, undeviated_, cosine_, cosineSquared_, path_, pathSquared_, cutOff_, lost_;
   ExactSum weight_, perArea_, surfacePerArea_,
-      volumePerArea_;  // sums over rays of 1, 1 / A, S / A, V / A; A the projected area
-  std::vector<ExactSum> byOrder_;
+      volumePerArea_;              // sums over rays of 1, 1 / A, S / A, V / A; A the projected area
+  std::vector<ExactSum> byOrder_;  // at most kOrders
+  ExactSum byOrderRest_;
 };
 
 }  // namespace parhelion

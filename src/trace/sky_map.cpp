@@ -56,7 +56,7 @@ double SkyMap::energy(int column, int row) const {
 }
 
 double SkyMap::error(int column, int row) const {
-  return bundles_ > 0 ? bins_.error(row * columns() + column, bundles_) / intercepted_.value() : 0.0;
+  return bins_.shareError(row * columns() + column, bundles_, intercepted_.value());
 }
 
 }  // namespace parhelion

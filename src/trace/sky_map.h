@@ -26,7 +26,7 @@ class SkyMap : public Film {
   double azimuth(int column) const;  // rad, of a column's centre
   double elevation(int row) const;   // rad, of a row's centre
 
-  /// Share of all intercepted light in a bin, and its standard error.
+  /// Share of all intercepted light in a bin, and its standard error (BundleBins::shareError()).
   double energy(int column, int row) const;
   double error(int column, int row) const;
 

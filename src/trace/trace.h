@@ -29,7 +29,7 @@ struct TraceControl {
 
 /// Traces rays firstRay ... settings.rays - 1 of the sequence settings.seed into `tally`. Same bits for any number of
 /// threads and for any division into runs. `firstRay` must be the first of its bundle. Throws std::runtime_error when
-/// the engine fails.
+/// the engine fails, and std::overflow_error when the tally cannot hold the light.
 TraceReport traceRays(const Cloud& cloud, const TraceSettings& settings, std::uint64_t firstRay, Film& tally,
                       const TraceControl& control = {});
 

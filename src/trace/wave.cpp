@@ -15,6 +15,15 @@ std::unique_ptr<RayPool> emptyPool() {
   return pool;
 }
 
+/// The units of EnergyUnits for rays that weigh at most so much: those of ExactSum, or coarser by a power of two. They
+/// depend on the population alone, so that sums do not on who traces what.
+double unitsPerLight(double highestWeight) {
+  constexpr double kMost = 0x1p51;  // of a ray
+  double perLight = ExactSum::kScale;
+  while (perLight > 1.0 && highestWeight * perLight >= kMost) perLight *= 0.5;
+  return perLight;
+}
+
 }  // namespace
 
 void TraceCounts::merge(const TraceCounts& other) {
@@ -38,7 +47,10 @@ Wave::Wave(const Cloud& cloud, const Intersectors& engines, const TraceSettings&
       seed_(settings.seed),
       rule_(pathRule(settings.path)),
       source_(cloud, settings, bundles(cloud), steps),
-      pool_(emptyPool()) {}
+      pool_(emptyPool()) {
+  for (int p = 0; p < static_cast<int>(cloud.populations().size()); ++p)
+    perLight_.push_back(unitsPerLight(cloud.incidence(p, settings.sampler).highestWeight()));
+}
 
 void Wave::trace(std::uint64_t first, int count, int members, Film& tally) {
   source_.draw(first, count);
@@ -53,7 +65,7 @@ void Wave::trace(std::uint64_t first, int count, int members, Film& tally) {
 void Wave::follow(RayQueue& queue, int population, int members) {
   const FaceTable& faces = cloud_.faces(population);
   exits_.count = 0;
-  energy_ = {};
+  energy_ = {.perLight = perLight_[population]};
   for (int member = 0; member < members; ++member) {
     exits_.reserve(queue.count + RayQueue::kSpare);
     steps_.enter(faces, seed_, rule_, member, queue, exits_, energy_);
@@ -135,8 +147,9 @@ void Wave::count(const RayQueue& queue, int members) {
   counts_.deposits += exits_.count;
   counts_.hits -= energy_.lostPaths;
   for (int place = 0; place < queue.count; ++place) counts_.energy.in.add(members * queue.weight[place]);
-  counts_.energy.out.addUnits(energy_.out);
-  counts_.energy.lost.addUnits(energy_.lost);
+  const auto coarser = static_cast<std::int64_t>(ExactSum::kScale / energy_.perLight);
+  counts_.energy.out.addUnits(coarser * energy_.out);
+  counts_.energy.lost.addUnits(coarser * energy_.lost);
 }
 
 }  // namespace parhelion

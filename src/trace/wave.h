@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "trace/energy_ledger.h"
 #include "trace/engine.h"
@@ -52,6 +53,7 @@ class Wave {
   const LaneSteps& steps_;
   std::uint64_t seed_;
   PathRule rule_;
+  std::vector<double> perLight_;  // EnergyUnits::perLight of each population
   RaySource source_;
   std::unique_ptr<RayPool> pool_;
   int nextMember_ = 0, nextPlace_ = 0;  // of the rays in the queue

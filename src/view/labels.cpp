@@ -71,6 +71,8 @@ bool Labels::fits(const Box& box) const {
   const Box wide = box.grownBy(room);
   for (const Vec2& corner : {wide.min, wide.max, Vec2(wide.min.x, wide.max.y), Vec2(wide.max.x, wide.min.y)})
     if (!camera_.toSky(corner)) return false;
+  const bool crossesSeam = wide.min.x < camera_.seam() && wide.max.x > camera_.seam();
+  if (crossesSeam) return false;
   return std::none_of(taken_.begin(), taken_.end(), [&](const Box& other) { return wide.overlaps(other); });
 }
 

@@ -7,6 +7,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "sky/picture_parts.h"
+
 namespace parhelion {
 namespace {
 
@@ -75,7 +77,18 @@ class Plotter {
 }  // namespace
 
 std::vector<PixelLine> linesInPicture(const Camera& camera, const SkyLine& line, const Box& frame) {
-  return Plotter(camera, frame).plot(line);
+  const std::vector<PicturePart> parts = partsOf(camera.settings());
+  if (parts.size() == 1) return Plotter(camera, frame).plot(line);
+  std::vector<PixelLine> all;
+  for (const PicturePart& part : parts) {
+    const Vec2 corner(part.left, 0.0);
+    const Camera half(part.camera);
+    for (PixelLine& shown : Plotter(half, {frame.min - corner, frame.max - corner}).plot(line)) {
+      for (Vec2& place : shown) place += corner;
+      all.push_back(std::move(shown));
+    }
+  }
+  return all;
 }
 
 }  // namespace parhelion

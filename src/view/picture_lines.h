@@ -11,6 +11,7 @@ namespace parhelion {
 
 /// What a camera shows of a line on the sky inside `frame` (pixel coordinates): the great circles between its points,
 /// to a tenth of a pixel, broken where the projection tears the sky apart, at the image circle and at the frame.
+/// What lies on the seam of two discs is shown at the rims of both.
 std::vector<PixelLine> linesInPicture(const Camera& camera, const SkyLine& line, const Box& frame);
 
 }  // namespace parhelion

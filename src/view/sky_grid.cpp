@@ -25,6 +25,8 @@ constexpr double kAboveHorizon[] = {0.4, 0.6, 0.8, 1.0, 1.3, 1.6};
 // Every so many lines have labels: steps of 5 and 10 degrees then have them at multiples of 15, 30 and 90 too.
 constexpr int kLabelEvery[] = {1, 2, 3, 6, 9, 18};
 
+constexpr double kJustAbove = 1e-6;  // rad; far below a pixel
+
 SkyLine meridian(double azimuth, double from, double to) {
   const auto lines = followLocus(from, to, [azimuth](double altitude) { return skyDirection(azimuth, altitude); });
   return lines.front();
@@ -34,7 +36,8 @@ bool isMultiple(double angle, double of) { return std::abs(std::remainder(angle,
 
 /// The label of an azimuth just above the horizon, whatever way that is in the picture.
 std::vector<Box> onHorizon(const Camera& camera, const Labels& labels, const std::string& text, double azimuth) {
-  const std::optional<Vec2> foot = camera.placeOf(skyDirection(azimuth, 0.0));
+  // Not on the horizon itself, which may be the rim of two discs.
+  const std::optional<Vec2> foot = camera.placeOf(skyDirection(azimuth, kJustAbove));
   const std::optional<Vec2> above = camera.placeOf(skyDirection(azimuth, radians(0.5)));
   if (!foot || !above || *foot == *above) return {};
   const Vec2 up = glm::normalize(*above - *foot), size = labels.around(text, Vec2(0.0)).size();
@@ -102,7 +105,7 @@ int labelEvery(const Camera& camera, const Labels& labels, double step) {
 std::vector<Box> gridLabelPlaces(const Camera& camera, const Labels& labels, const GridLine& line,
                                  const std::vector<PixelLine>& lines, double step) {
   const std::string text = degreeText(line.angle, !line.isAltitude);
-  if (!line.isAltitude && camera.project(skyDirection(line.angle, 0.0)))
+  if (!line.isAltitude && camera.project(skyDirection(line.angle, kJustAbove)))
     return onHorizon(camera, labels, text, line.angle);
   std::vector<Box> places;
   for (const PixelLine& piece : lines)

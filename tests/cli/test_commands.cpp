@@ -136,8 +136,8 @@ TEST_CASE("profile prints the agreed columns and summary, and its bins add up to
   CHECK(solidAngles == doctest::Approx(1.0).epsilon(0.01));
 
   const json summary = json::parse(readFile(folder / "s.json"));
-  for (const char* key : {"rays", "g", "g_stderr", "delta", "external", "by_order", "mean_path", "volume", "surface",
-                          "mean_projected_area", "cut_off", "lost"})
+  for (const char* key : {"rays", "g", "g_stderr", "delta", "external", "by_order", "by_order_rest", "mean_path",
+                          "volume", "surface", "mean_projected_area", "cut_off", "lost"})
     CHECK_MESSAGE(summary.contains(key), key);
   CHECK(summary["rays"] == 20000);
   CHECK(summary["by_order"][0] == summary["external"]);

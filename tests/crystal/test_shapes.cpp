@@ -189,4 +189,7 @@ TEST_CASE("shapes that enclose nothing are rejected") {
   CHECK_THROWS_AS(hexagonalPrism(NAN), std::invalid_argument);
   CHECK_THROWS_AS(hexagonalPyramid(pyramid(1.0, 1.5, 0.5)), std::invalid_argument);
   CHECK_THROWS_AS(hexagonalPyramid(pyramid(-1.0, 0.5, 0.5)), std::invalid_argument);
+  CHECK_THROWS_AS(hexagonalPyramid(pyramid(1e-9, 0.0, 0.0)), std::invalid_argument);
+  CHECK_THROWS_AS(hexagonalPyramid({1.0, 0.5, 0.5, radians(1e-6)}), std::invalid_argument);
+  CHECK_THROWS_AS(hexagonalPyramid({1.0, 0.5, 0.5, NAN}), std::invalid_argument);
 }

@@ -95,14 +95,26 @@ TEST_CASE("populations called mirror symmetric about the sun's vertical look the
   std::vector<PopulationSettings> symmetric;
   for (const ShapeSettings& shape : std::vector<ShapeSettings>{PrismSettings{}, kLopsided}) {
     for (const OrientationSettings& orientation : std::vector<OrientationSettings>{
-             RandomOrientation{}, AxisOrientation{Normal{0.0, deg(20)}}, AxisOrientation{Arcsine{0.0, deg(30)}},
-             AxisOrientation{Normal{deg(90), deg(10)}}, AxisOrientation{Laplace{deg(60), deg(10)}},
-             axis(tilted, kFree, right), axis(tilted, kFree, FixedValue{deg(-30)}),
+             RandomOrientation{},
+             AxisOrientation{Normal{0.0, deg(20)}},
+             AxisOrientation{Arcsine{0.0, deg(30)}},
+             AxisOrientation{Normal{deg(90), deg(10)}},
+             AxisOrientation{Laplace{deg(60), deg(10)}},
+             axis(tilted, kFree, right),
+             axis(tilted, kFree, FixedValue{deg(-30)}),
              axis(Normal{deg(90), deg(5)}, kFree, Normal{0.0, deg(4)}),
-             axis(tilted, kFree, PolarNormal{deg(90), deg(4)}), axis(tilted, kFree, UniformRange{deg(13), deg(73)}),
+             axis(tilted, kFree, PolarNormal{deg(90), deg(4)}),
+             axis(tilted, kFree, UniformRange{deg(13), deg(73)}),
              axis(tilted, UniformRange{deg(-40), deg(40)}, UniformRange{deg(-10), deg(10)}),
-             axis(tilted, Laplace{deg(180), deg(20)}, Arcsine{deg(60), deg(12)}), axis(tilted, right, right),
-             LowitzOrientation{}, LowitzOrientation{Normal{deg(90), deg(12)}, FixedValue{deg(25)}},
+             axis(tilted, Laplace{deg(180), deg(20)}, Arcsine{deg(60), deg(12)}),
+             axis(tilted, right, right),
+             axis(UniformRange{deg(-15), deg(40)}, right, right),
+             axis(Laplace{deg(5), deg(20)}, FixedValue{deg(180)}, right),
+             axis(UniformRange{deg(120), deg(250)}, kFree, right),
+             LowitzOrientation{PolarNormal{deg(90), deg(60)}, FixedValue{deg(25)}},
+             LowitzOrientation{FixedValue{deg(270)}, FixedValue{deg(25)}},
+             LowitzOrientation{},
+             LowitzOrientation{Normal{deg(90), deg(12)}, FixedValue{deg(25)}},
              LowitzOrientation{Normal{deg(70), deg(5)}, UniformRange{deg(-30), deg(30)}},
              LowitzOrientation{FixedValue{deg(70)}, kFree}})
       symmetric.push_back(crystals(shape, orientation));
@@ -112,6 +124,9 @@ TEST_CASE("populations called mirror symmetric about the sun's vertical look the
     symmetric.push_back(
         crystals(endsAlike, axis(Normal{deg(90), deg(9)}, UniformRange{deg(70), deg(110)}, Normal{deg(7), deg(2)})));
     symmetric.push_back(crystals(endsAlike, LowitzOrientation{FixedValue{deg(70)}, FixedValue{deg(90)}}));
+    symmetric.push_back(
+        crystals(endsAlike, axis(PolarNormal{deg(90), deg(70)}, FixedValue{deg(90)}, FixedValue{deg(10)})));
+    symmetric.push_back(crystals(endsAlike, axis(UniformRange{deg(-130), deg(-50)}, kFree, FixedValue{deg(10)})));
   }
   for (std::size_t i = 0; i < symmetric.size(); ++i) {
     CAPTURE(i);
@@ -132,6 +147,8 @@ TEST_CASE("populations that look different in the mirror are not called symmetri
       crystals(PrismSettings{}, axis(Normal{0.0, deg(20)}, kFree, Normal{deg(12), deg(3)})),
       crystals(PrismSettings{}, axis(tilted, kFree, FixedValue{deg(15)})),
       crystals(kLopsided, axis(level, kFree, FixedValue{deg(10)})),
+      crystals(PrismSettings{}, axis(UniformRange{deg(-15), deg(40)}, FixedValue{deg(30)}, kFree)),
+      crystals(PrismSettings{}, axis(PolarNormal{deg(5), deg(30)}, kFree, FixedValue{deg(10)})),
       crystals(PrismSettings{}, axis(level, UniformRange{deg(0), deg(60)}, FixedValue{deg(10)})),
       crystals(PrismSettings{}, axis(Normal{deg(70), deg(9)}, kFree, FixedValue{deg(10)})),
       crystals(PrismSettings{}, LowitzOrientation{FixedValue{deg(70)}, FixedValue{deg(25)}}),

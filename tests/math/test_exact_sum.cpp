@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <vector>
 
 #include <doctest/doctest.h>
@@ -69,4 +70,32 @@ TEST_CASE("small terms do not vanish beside a large sum") {
   for (int i = 0; i < 1000; ++i) sum.add(0x1p-10);
   for (int i = 0; i < 1 << 20; ++i) sum.add(-0x1p22);
   CHECK(sum.value() == 1000 * 0x1p-10);
+}
+
+TEST_CASE("an exact sum takes terms far beyond 64 bits of its unit") {
+  // Of a path some thousand times as long as the crystal's side, the square; and what would be it, were it longer.
+  for (const double term : {0x1p23, 1e9, 4e10, 1e20, 0x1p86}) {
+    ExactSum sum, negative;
+    sum.add(term);
+    negative.add(-term);
+    CHECK(sum.value() == term);
+    CHECK(negative.value() == -term);
+    sum.add(0x1p-40);
+    sum.merge(negative);
+    CHECK(sum.value() == 0x1p-40);
+  }
+}
+
+TEST_CASE("an exact sum says so when it cannot hold a term, their sum, or what is no number") {
+  ExactSum sum;
+  for (const double term : {0x1p87, -1e300, HUGE_VAL, std::nan("")})
+    CHECK_THROWS_AS(sum.add(term), std::overflow_error);
+  CHECK(sum == ExactSum{});
+  sum.add(0x1p86);
+  const ExactSum half = sum;
+  CHECK_THROWS_AS(sum.add(0x1p86), std::overflow_error);
+  sum = half;
+  CHECK_THROWS_AS(sum.merge(half), std::overflow_error);
+  sum = half;
+  CHECK_THROWS_AS(sum.addUnits(ExactSum::Units{1} << 126), std::overflow_error);
 }

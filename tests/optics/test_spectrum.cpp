@@ -8,6 +8,7 @@
 #include <doctest/doctest.h>
 #include <glm/geometric.hpp>
 
+#include "math/names.h"
 #include "math/random.h"
 #include "optics/tables.h"
 #include "statistics.h"
@@ -17,7 +18,11 @@ using namespace parhelion;
 namespace {
 
 using Source = ContinuousSpectrum::Source;
-constexpr auto kSources = {Source::extraterrestrial, Source::airMass1_5, Source::equal};
+const std::vector<SpectrumSettings> kContinuous = [] {
+  std::vector<SpectrumSettings> all{BlackBody{1500.0}, BlackBody{20000.0}};
+  for (const Source source : kMembersOf<Source>) all.emplace_back(ContinuousSpectrum{source});
+  return all;
+}();
 
 Vec3 chromaticity(const Vec3& xyz) { return xyz / (xyz.x + xyz.y + xyz.z); }
 
@@ -84,8 +89,8 @@ TEST_CASE("the observer's response is smooth, and luminance peaks with 1 at 555 
 }
 
 TEST_CASE("the mean of a spectrum's samples is its white, whose luminance is 1") {
-  for (const Source source : kSources) {
-    const Spectrum spectrum(ContinuousSpectrum{source});
+  for (const SpectrumSettings& settings : kContinuous) {
+    const Spectrum spectrum(settings);
     CHECK(spectrum.white().y == doctest::Approx(1.0).epsilon(1e-12));
     CHECK(glm::distance(meanOf(spectrum, [](const auto& s) { return s.xyz; }), spectrum.white()) < 1e-5);
     CHECK(meanOf(spectrum, [](const auto& s) { return s.light; }) == doctest::Approx(1.0).epsilon(1e-5));
@@ -140,6 +145,41 @@ TEST_CASE("spectral lines carry equal energy") {
   // Equal energies: colours in proportion to the observer's responses.
   const Vec3 blue = spectrum.lines()[0].xyz, green = spectrum.lines()[1].xyz;
   CHECK(blue.y / green.y == doctest::Approx(0.038 / 0.9949501).epsilon(1e-6));
+}
+
+TEST_CASE("spectral lines carry energies in proportion to their weights, whatever the unit") {
+  const std::vector<double> wavelengths = {450.0, 550.0, 650.0};
+  for (const double unit : {1.0, 1e-6, 1e6}) {
+    const Spectrum spectrum(LineSpectrum{wavelengths, {1.0 * unit, 4.0 * unit, 1.0 * unit}});
+    const auto& lines = spectrum.lines();
+    REQUIRE(lines.size() == 3);
+    CHECK(spectrum.bundleSize() == 3);
+    CHECK(lines[1].light == doctest::Approx(2.0).epsilon(1e-14));
+    CHECK(lines[0].light == doctest::Approx(0.5).epsilon(1e-14));
+    Vec3 sum(0.0);
+    for (const SpectralSample& line : lines) sum += line.xyz / 3.0;
+    CHECK(glm::distance(sum, spectrum.white()) < 1e-12);
+    CHECK(spectrum.white().y == doctest::Approx(1.0).epsilon(1e-12));
+    // XYZ of a line: its weight times the observer's response.
+    CHECK(lines[1].xyz.y / lines[0].xyz.y == doctest::Approx(4.0 * 0.9949501 / 0.038).epsilon(1e-6));
+  }
+}
+
+TEST_CASE("equal weights give the bits of no weights") {
+  const std::vector<double> wavelengths = {450.0, 550.0, 650.0};
+  const Spectrum plain(LineSpectrum{wavelengths}), weighted(LineSpectrum{wavelengths, {2.0, 2.0, 2.0}});
+  CHECK(plain.white() == weighted.white());
+  for (int i = 0; i < 3; ++i) {
+    CHECK(plain.lines()[i].xyz == weighted.lines()[i].xyz);
+    CHECK(weighted.lines()[i].light == 1.0);
+  }
+}
+
+TEST_CASE("weights that are not one for each line, or not above 0, are no spectrum") {
+  const std::vector<double> wavelengths = {450.0, 550.0};
+  for (const std::vector<double>& weights : std::vector<std::vector<double>>{
+           {1.0}, {1.0, 2.0, 3.0}, {1.0, 0.0}, {1.0, -1.0}, {1.0, std::nan("")}, {1.0, HUGE_VAL}})
+    CHECK_THROWS_AS(Spectrum(LineSpectrum{wavelengths, weights}), std::invalid_argument);
 }
 
 TEST_CASE("lines that nobody sees are no spectrum") {

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <limits>
+#include <string>
 
 #include "math/rotation.h"
 #include "photo/halo_camera.h"
@@ -158,4 +159,35 @@ TEST_CASE("a halo is not looked up beyond its picture, and samples that are no n
   REQUIRE(lookup.at({50.0, 35.0}));
   CHECK(std::isfinite(lookup.at({50.0, 35.0})->x));
   CHECK_THROWS_AS(HaloLookup(image, photo, photo), std::invalid_argument);
+}
+
+TEST_CASE("an even halo is even up to the seam of two discs, to image circles and to a horizon that is cut") {
+  CameraSettings cut = camera(Projection::rectilinear, 70.0, 120, 80);
+  cut.roll = radians(20.0);
+  cut.horizon = Horizon::cut;
+  CameraSettings up = camera(Projection::fisheyeEquidistant, 180.0, 90, 90);
+  up.elevation = radians(90.0);
+  for (const CameraSettings& halo : {camera(Projection::dualFisheyeEqualArea, 180.0, 180, 90),
+                                     camera(Projection::dualFisheyeStereographic, 180.0, 1200, 600), up, cut}) {
+    CAPTURE(std::string(nameOf(halo.projection)));
+    const std::vector<double> solidAngles = Camera(halo).solidAngles();
+    Image image{halo.width, halo.height, {}};
+    for (const char* name : {"R", "G", "B"}) image.add(name);
+    for (Channel& channel : image.channels)
+      for (std::size_t i = 0; i < solidAngles.size(); ++i) channel.samples[i] = solidAngles[i] > 0.0 ? 1.0F : 0.0F;
+    CameraSettings photo = camera(Projection::rectilinear, 60.0, 100, 70);
+    photo.azimuth = radians(80.0);  // across the seam of a level dual fisheye, and of the horizon
+    if (halo.horizon == Horizon::cut) photo.azimuth = 0.0;
+    const HaloLookup lookup(image, halo, photo);
+    int seen = 0;
+    for (double y = 0.5; y < photo.height; ++y) {
+      for (double x = 0.5; x < photo.width; ++x) {
+        const auto found = lookup.at({x, y});
+        if (!found) continue;
+        ++seen;
+        CHECK(found->y == doctest::Approx(1.0).epsilon(1e-12));
+      }
+    }
+    CHECK(seen > 2500);
+  }
 }

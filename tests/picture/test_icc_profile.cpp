@@ -45,8 +45,9 @@ TEST_CASE("other profiles are named") {
   const cmsCIExyYTRIPLE p3{{0.680, 0.320, 1.0}, {0.265, 0.690, 1.0}, {0.150, 0.060, 1.0}};
   CHECK(objection(rgbProfile(p3, srgbTable(1024), "Display P3")).find("\"Display P3\"") != std::string::npos);
   CHECK(objection(rgbProfile(kRec709, cmsBuildGamma(nullptr, 1.0), "linear")).find("\"linear\"") != std::string::npos);
-  CHECK(objection(rgbProfile(kRec709, cmsBuildGamma(nullptr, 1.8), "a \"b\"\n\xff")).find("\"a b\"") !=
-        std::string::npos);
+  // Little CMS 2.14 leaves a byte that is no ASCII out, 2.16 writes a question mark for it.
+  const std::string odd = objection(rgbProfile(kRec709, cmsBuildGamma(nullptr, 1.8), "a \"b\"\n\xff"));
+  CHECK((odd.find("\"a b\"") != std::string::npos || odd.find("\"a b?\"") != std::string::npos));
   CHECK(objection(profileBytes(cmsCreateLab4Profile(nullptr))).find("not sRGB") != std::string::npos);
 }
 

@@ -15,8 +15,8 @@ namespace {
 
 const std::vector<std::vector<std::string>> kSuns{{"sun.elevation=10"}, {"sun.elevation=20"}, {"sun.elevation=30"}};
 
-std::vector<SweepFrame> planIn(const TemporaryDirectory& folder) {
-  return planFrames(kSuns, smallScene, FrameNames((folder / "f_%02d.exr").string()), 5);
+std::vector<SweepFrame> planIn(const TemporaryDirectory& folder, Gamut gamut = Gamut::exact) {
+  return planFrames(kSuns, smallScene, FrameNames((folder / "f_%02d.exr").string()), 5, gamut);
 }
 
 std::vector<std::string> lacks(const std::vector<SweepFrame>& frames) {
@@ -58,6 +58,7 @@ TEST_CASE("a sweep that is stopped goes on to the same files, without a word pri
   const SweepReport second = renderFrames(rest, control);
   CHECK(second.complete);
   CHECK(second.rendered == 2);
+  CHECK(lacks(planIn(halted, Gamut::clip)) == std::vector<std::string>(3, "has another parhelion:gamut"));
   CHECK(done == std::vector<std::size_t>{0, 1, 2});
   CHECK(second.worstImbalance > 0.0);
   CHECK(second.worstImbalance < 1e-9);

@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 
+#include <glm/geometric.hpp>
+
+#include "picture/colour_space.h"
+#include "picture/exr.h"
 #include "picture/temporary_directory.h"
 #include "render/measurements.h"
+#include "render/scene_attributes.h"
 #include "render/scenes.h"
 #include "render/sky_files.h"
 
@@ -97,6 +103,33 @@ TEST_CASE("a ray lived again has its faces, and its light adds up") {
   double out = path.cutOff + path.lost;
   for (const Exit& exit : path.exits) out += exit.energy;
   CHECK(out == doctest::Approx(path.incident.weight).epsilon(1e-12));
+}
+
+TEST_CASE("a sky's file has its colours exactly or, clipped, none with a negative component and the same luminance") {
+  const TemporaryDirectory folder;
+  const LoadedScene loaded = smallScene({"recon.method='none'"});
+  const TracedSky traced = traceSky(loaded, cloudOf(loaded.scene));
+  Image exact = developSky(traced, loaded, 2).image, clipped = exact;
+  writeSky(folder / "exact.exr", exact, traced.tally.info, loaded);
+  writeSky(folder / "clipped.exr", clipped, traced.tally.info, loaded, Gamut::clip);
+  const ExrFile one = readExr(folder / "exact.exr"), other = readExr(folder / "clipped.exr");
+  CHECK_FALSE(one.attributes.contains(kGamutKey));
+  CHECK(other.attributes.at(kGamutKey) == "clip");
+  int outside = 0;
+  for (std::size_t i = 0; i < one.image.pixels(); ++i) {
+    Vec3 before, after;
+    for (int c = 0; c < 3; ++c) {
+      before[c] = (*one.image.rgb()[static_cast<std::size_t>(c)])[i];
+      after[c] = (*other.image.rgb()[static_cast<std::size_t>(c)])[i];
+      REQUIRE(after[c] >= 0.0);
+    }
+    const bool isOutside = std::min({before.x, before.y, before.z}) < 0.0;
+    outside += isOutside ? 1 : 0;
+    if (!isOutside) REQUIRE(after == before);
+    const double luminance = std::max(0.0, glm::dot(kRec709Luminance, before));
+    REQUIRE(glm::dot(kRec709Luminance, after) == doctest::Approx(luminance).epsilon(1e-5));
+  }
+  CHECK(outside > 0);
 }
 
 TEST_CASE("nothing is printed from a scene to its files") {

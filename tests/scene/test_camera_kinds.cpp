@@ -43,7 +43,7 @@ TEST_CASE("two views that differ in one key of the camera are told apart by its 
     visitCameraKeys(all);
     names = all.names();
   }
-  CHECK(names.size() == 7);
+  CHECK(names.size() == 9);
   for (const std::string_view key : names) {
     CAPTURE(std::string(key));
     Scene other = one;

@@ -32,6 +32,27 @@ TEST_CASE("a summary shows lines, constant ice, pyramids and Lowitz orientations
   CHECK(text.find("lowitz axis at zenith angle 90°; spin free") != std::string::npos);
 }
 
+TEST_CASE("a summary tells spreads through a pole by their signed angles, and a free azimuth by its whole turns") {
+  const auto told = [](const std::string& orientation) {
+    return describeScene(sceneOf("[[population]]\norientation = " + orientation));
+  };
+  CHECK(told("{ zenith = { uniform = [-5, 10] }, azimuth = 30 }")
+            .find("zenith angle -5° to 10°; azimuth 30°; roll free") != std::string::npos);
+  CHECK(told("{ zenith = { laplace = [5, 10] } }").find("zenith angle 5°, laplace, scale 10°; azimuth free") !=
+        std::string::npos);
+  CHECK(told("{ zenith = 10, azimuth = { uniform = [-40, 350] } }").find("azimuth -40° to 350°") != std::string::npos);
+}
+
+TEST_CASE("a summary tells illuminants, black bodies and weighted lines") {
+  const auto told = [](const std::string& spectrum) {
+    return describeScene(sceneOf("sun.spectrum = " + spectrum + "\n[[population]]"));
+  };
+  CHECK(told("'D65'").find("spectrum D65") != std::string::npos);
+  CHECK(told("{ blackbody = 3000 }").find("black body of 3000 K") != std::string::npos);
+  CHECK(told("{ wavelengths = [450, 650], weights = [1, 2.5] }").find("450, 650 nm weighted 1, 2.5") !=
+        std::string::npos);
+}
+
 TEST_CASE("enumerations have the names that scene files use") {
   CHECK(nameOf(Engine::embreeRobust) == "embree-robust");
   CHECK(nameOf(PathMode::split) == "split");

@@ -55,8 +55,9 @@ TEST_CASE("every member of a family has a name of its own, which reads back") {
   checkNames<HitReading>(2);
   checkNames<KernelGain>(2);
   checkNames<KernelFlow>(2);
-  checkNames<Projection>(6);
-  checkNames<ContinuousSpectrum::Source>(3);
+  checkNames<Projection>(11);
+  checkNames<Horizon>(2);
+  checkNames<ContinuousSpectrum::Source>(9);
   checkNames<OrientationName>(5);
   checkNames<ShapeSettings>(2);
   checkNames<ReconSettings>(8);

@@ -87,6 +87,9 @@ TEST_CASE("the text of a scene is the user's own, or gives the same scene withou
                                            "population.plates.tilt={ laplace = 0.3 }",
                                            "population.free.name=\"ü\\\"",
                                            "sun.spectrum=[450, 550.25]",
+                                           "sun.spectrum=D65",
+                                           "sun.spectrum={wavelengths=[450,550],weights=[1,2]}",
+                                           "sun.spectrum={blackbody=3000}",
                                            "trace.rays=3G",
                                            "trace.seed=9223372036854775807"};
   const LoadedScene first = parseScene(kExample, "x.toml", overrides);

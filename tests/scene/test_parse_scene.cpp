@@ -50,6 +50,16 @@ TEST_CASE("the documented scene gives the settings it describes") {
   CHECK(std::get<Normal>(inFull.roll).sigma == radians(5.0));
 }
 
+TEST_CASE("a range of zenith angles may begin and end beyond a pole") {
+  const auto zenith = [](const std::string& range) {
+    return std::get<UniformRange>(
+        axisOf(populationWith("orientation = { zenith = { uniform = " + range + " } }")).zenith);
+  };
+  CHECK(zenith("[-5, 10]").from == radians(-5.0));
+  CHECK(zenith("[-5, 10]").to == radians(10.0));
+  CHECK(zenith("[170, 185]").to == radians(185.0));
+}
+
 TEST_CASE("what a scene leaves out has the defaults of the settings") {
   const Scene scene = sceneOf(kPopulation);
   CHECK(scene.sun.elevation == SunSettings{}.elevation);
@@ -66,6 +76,14 @@ TEST_CASE("the spectrum is a name, a wavelength or a list of wavelengths, intege
   CHECK(std::get<ContinuousSpectrum>(sceneWith("sun.spectrum = 'sun-am1.5'").sun.spectrum).source ==
         ContinuousSpectrum::Source::airMass1_5);
   CHECK(std::get<MonochromaticSpectrum>(sceneWith("sun.spectrum = 550").sun.spectrum).wavelength == 550.0);
+  CHECK(std::get<ContinuousSpectrum>(sceneWith("sun.spectrum = 'D65'").sun.spectrum).source ==
+        ContinuousSpectrum::Source::d65);
+  CHECK(std::get<BlackBody>(sceneWith("sun.spectrum = { blackbody = 3000 }").sun.spectrum).temperature == 3000.0);
+  const auto weighted = std::get<LineSpectrum>(
+      sceneWith("sun.spectrum = { wavelengths = [450, 550.5], weights = [1, 2.5] }").sun.spectrum);
+  CHECK(weighted.wavelengths == std::vector<double>{450.0, 550.5});
+  CHECK(weighted.weights == std::vector<double>{1.0, 2.5});
+  CHECK(std::get<LineSpectrum>(sceneWith("sun.spectrum = { wavelengths = [450] }").sun.spectrum).weights.empty());
   const Scene lines = sceneWith("sun.spectrum = [450, 550.5]");
   CHECK(std::get<LineSpectrum>(lines.sun.spectrum).wavelengths == std::vector<double>{450.0, 550.5});
 }

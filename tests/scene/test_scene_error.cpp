@@ -62,6 +62,17 @@ TEST_CASE("wavelengths are visible and listed once") {
         Lines{"2:18 'spectrum' must be a list of wavelengths from 360 to 830 nm here, not 900"});
   CHECK(wrong("[sun]\nspectrum = [450, 550, 450.0]") == Lines{"2:23 the wavelength 450 nm is listed twice"});
   CHECK(wrong("[sun]\nspectrum = []").size() == 1);
+  CHECK(wrong("[sun]\nspectrum = {}") == Lines{"2:12 a spectrum's table needs 'wavelengths' or 'blackbody'"});
+  CHECK(wrong("[sun]\nspectrum = { wavelengths = [450, 550], weights = [1] }") ==
+        Lines{"2:50 1 'weights' for 2 'wavelengths'; each needs one"});
+  CHECK(wrong("[sun]\nspectrum = { wavelengths = [450, 550], weights = [1, 0] }") ==
+        Lines{"2:54 'weights' must be a list of numbers above 0 and at most 1000000000 here, not 0"});
+  CHECK(wrong("[sun]\nspectrum = { weights = [1] }").size() == 1);
+  CHECK(wrong("[sun]\nspectrum = { wavelengths = [450], blackbody = 3000 }") ==
+        Lines{"2:28 a black body has no 'wavelengths'"});
+  CHECK(wrong("[sun]\nspectrum = { blackbody = 20 }") ==
+        Lines{"2:26 'blackbody' must be a number from 500 to 1000000, not 20"});
+  CHECK(wrong("[sun]\nspectrum = { blackbdy = 3000 }") == Lines{"2:14 unknown key 'blackbdy' in the spectrum"});
   CHECK(wrong("[sun]\nspectrum = 100").size() == 1);
 }
 
@@ -84,7 +95,14 @@ TEST_CASE("shapes refuse each other's keys") {
   CHECK(wrongPopulation("shape = 'pyramid'\naspect = { normal = [1, 0.1] }") ==
         Lines{"3:10 'aspect' must be a number from 0 to 10000 for a pyramid, not a table"});
   CHECK(wrongPopulation("shape = 'pyramid'\naspect = 0\nupper = 0\nlower = 0") ==
-        Lines{"3:10 a crystal without a prism part and without pyramids is flat"});
+        Lines{"3:10 the crystal is 0 times as long as wide; that must be a number from 0.0001 to 10000"});
+  CHECK(wrongPopulation("shape = 'pyramid'\naspect = 1e-12\nupper = 0\nlower = 0") ==
+        Lines{"3:10 the crystal is 1e-12 times as long as wide; that must be a number from 0.0001 to 10000"});
+  CHECK(wrongPopulation("shape = 'pyramid'\naspect = 0\nupper = 1e-9\nlower = 0").size() == 1);
+  CHECK(wrongPopulation("shape = 'pyramid'\nslope = 1e-3") ==
+        Lines{"3:9 the crystal is 24810.8002915 times as long as wide; that must be a number from 0.0001 to 10000"});
+  CHECK(wrongPopulation("shape = 'pyramid'\nslope = 1e-300").size() == 1);
+  CHECK(wrongPopulation("shape = 'pyramid'\naspect = 1e4").size() == 1);
   CHECK(wrongPopulation("aspect = 0").size() == 1);
 }
 
@@ -95,6 +113,10 @@ TEST_CASE("tilt and roll need an orientation that has a rest") {
   CHECK(wrongPopulation("orientation = { azimuth = 3 }") ==
         Lines{"2:15 an orientation in full needs 'zenith', the c axis' zenith angle"});
   CHECK(wrongPopulation("orientation = { zenith = 200 }").size() == 1);
+  CHECK(wrongPopulation("orientation = { zenith = { normal = [-5, 1] } }") ==
+        Lines{"2:38 'mean' must be a number from 0 to 180, not -5"});
+  CHECK(wrongPopulation("orientation = { zenith = { uniform = [-200, 10] } }") ==
+        Lines{"2:39 'from' must be a number from -180 to 360, not -200"});
 }
 
 TEST_CASE("populations are a list of at least one, with different names and some weight") {

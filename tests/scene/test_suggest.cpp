@@ -45,3 +45,17 @@ TEST_CASE("a misspelt name of an enumeration is answered with the closest one") 
   CHECK(errorsOf("[[population]]\norientation = 'plate'\ntilt = { unifrm = 1 }").at(0).hint ==
         "did you mean 'uniform'?");
 }
+
+TEST_CASE("an illuminant is recognised in whatever way people write it") {
+  const auto hint = [](const std::string& spectrum) {
+    return errorsOf("[[population]]\n[sun]\nspectrum = '" + spectrum + "'").at(0).hint;
+  };
+  for (const char* d65 : {"d65", "illuminant D65", "CIE-D65", "cie d65", "D_D65"})
+    CHECK(hint(d65) == "did you mean 'D65'?");
+  CHECK(hint("a") == "did you mean 'A'?");
+  CHECK(hint("illuminant-a") == "did you mean 'A'?");
+  CHECK(hint("equl") == "did you mean 'equal'?");
+  CHECK(hint("blackbody") == "a black body is { blackbody = 3000 }, in kelvin");
+  CHECK(hint("D60") == "did you mean 'D50'?");
+  CHECK(hint("").empty());
+}

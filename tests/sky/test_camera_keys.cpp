@@ -19,8 +19,8 @@ TEST_CASE("every setting of a camera has a key") {
   visitCameraKeys(unusual);
   // A setting that is new does not compile until it is named here.
   const CameraSettings usual;
-  const auto& [projection, azimuth, elevation, roll, axis, fieldOfView, imageCircle, distortion, width, height] =
-      camera;
+  const auto& [projection, azimuth, elevation, roll, axis, fieldOfView, imageCircle, distortion, shift, horizon, width,
+               height] = camera;
   CHECK(projection != usual.projection);
   CHECK(azimuth != usual.azimuth);
   CHECK(elevation != usual.elevation);
@@ -30,6 +30,8 @@ TEST_CASE("every setting of a camera has a key") {
   CHECK(imageCircle != usual.imageCircle);
   const auto& [k1, k2, k3] = distortion;
   CHECK((k1 != 0.0 && k2 != 0.0 && k3 != 0.0));
+  CHECK((shift.x != 0.0 && shift.y != 0.0));
+  CHECK(horizon != usual.horizon);
   CHECK(width != usual.width);
   CHECK(height != usual.height);
 }
@@ -56,8 +58,9 @@ TEST_CASE("the attributes of a camera keep their names") {
   std::sort(names.begin(), names.end());
   CHECK(names == std::vector<std::string>{
                      "parhelion:camera.azimuth", "parhelion:camera.circle", "parhelion:camera.elevation",
-                     "parhelion:camera.fov", "parhelion:camera.fovAxis", "parhelion:camera.k1", "parhelion:camera.k2",
-                     "parhelion:camera.k3", "parhelion:camera.projection", "parhelion:camera.roll"});
+                     "parhelion:camera.fov", "parhelion:camera.fovAxis", "parhelion:camera.horizon",
+                     "parhelion:camera.k1", "parhelion:camera.k2", "parhelion:camera.k3", "parhelion:camera.projection",
+                     "parhelion:camera.roll", "parhelion:camera.shiftX", "parhelion:camera.shiftY"});
 }
 
 TEST_CASE("a tally's file without one of a camera's attributes, or with a wrong one, is refused") {

@@ -42,7 +42,7 @@ double density(const Camera& camera, double x, double y) {
       return std::pow(1.0 + 0.25 * r * r, -2.0) / (f * f);
     case Projection::fisheyeOrthographic:
       return 1.0 / (std::sqrt(1.0 - r * r) * f * f);
-    case Projection::equirectangular:
+    default:
       break;
   }
   return std::cos(dy) / (f * f);

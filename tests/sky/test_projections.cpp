@@ -11,9 +11,9 @@
 using namespace parhelion;
 
 TEST_CASE("the projections are all there, each of one name that reads back") {
-  CHECK(kMembersOf<Projection>.size() == 6);
+  CHECK(kMembersOf<Projection>.size() == 11);
   CHECK(kMembersOf<Projection>.front() == Projection::rectilinear);
-  CHECK(kMembersOf<Projection>.back() == Projection::equirectangular);
+  CHECK(kMembersOf<Projection>.back() == Projection::globe);
   std::set<std::string_view> names;
   for (const Projection projection : kMembersOf<Projection>) {
     CHECK(memberNamed<Projection>(nameOf(projection)) == projection);

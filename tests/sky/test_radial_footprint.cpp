@@ -50,7 +50,7 @@ double density(const Camera& camera, const Vec2& pixel) {
       return std::pow(1.0 + 0.25 * r2, -2.0);
     case Projection::fisheyeOrthographic:
       return 1.0 / std::sqrt(1.0 - r2);
-    case Projection::equirectangular:
+    default:
       break;
   }
   return std::cos(p.y);

@@ -59,6 +59,39 @@ TEST_CASE("rings are at most a quarter of the smallest pixel") {
   CHECK(RadialSky(info(Projection::rectilinear, 0.5, 300, 300, 20), kSun).bins() == 1 << 16);
 }
 
+TEST_CASE("an even radial sky gives every pixel of hemispheres light by its solid angle, up to the rims") {
+  for (const Projection projection :
+       {Projection::dualFisheyeEqualArea, Projection::dualFisheyeEquidistant, Projection::dualFisheyeStereographic,
+        Projection::dualFisheyeOrthographic, Projection::globe}) {
+    CAPTURE(std::string(nameOf(projection)));
+    const TallyInfo i = info(projection, 180, projection == Projection::globe ? 60 : 120, 60, 12);
+    RadialSky sky(i, kSun, 1);
+    for (int bin = 0; bin < sky.bins(); ++bin) sky.add(bin, Vec3(1000.0 * sky.solidAngle(bin)), false);
+    const Tally tally = spread(sky, i);
+    const std::vector<double> solidAngles = Camera(i.camera).solidAngles();
+    for (int p = 0; p < tally.pixels(); ++p)
+      CHECK(std::abs(tally.luminance(p) - 1000.0 * solidAngles[static_cast<std::size_t>(p)]) < 1e-5);
+  }
+}
+
+TEST_CASE("a ring about the sun is in both discs of a dual fisheye where each shows it") {
+  const TallyInfo i = info(Projection::dualFisheyeEqualArea, 180, 120, 60, 12);
+  RadialSky sky(i, kSun, 1);
+  sky.add(sky.binAt(atAngle(radians(85.0))), Vec3(1.0), false);
+  const Tally tally = spread(sky, i);
+  const Camera camera(i.camera);
+  double left = 0.0, right = 0.0;
+  for (int p = 0; p < tally.pixels(); ++p) {
+    if (tally.luminance(p) == 0.0) continue;
+    (p % 120 < 60 ? left : right) += tally.luminance(p);
+    if (const auto toSky = camera.toSky({p % 120 + 0.5, p / 120 + 0.5}))
+      CHECK(std::abs(angleBetween(*toSky, kSun) - radians(85.0)) < radians(6.0));
+  }
+  CHECK(left + right == doctest::Approx(1.0).epsilon(3e-3));  // one ring across pixels of hundreds
+  CHECK(left > 0.1);
+  CHECK(right > 0.1);
+}
+
 TEST_CASE("the halves of a radial sky add up, and merged skies are the same to the bit as one") {
   const TallyInfo i = info(Projection::fisheyeEqualArea, 180, 64, 64, 90);
   RadialSky first(i, kSun), second(i, kSun), both(i, kSun);

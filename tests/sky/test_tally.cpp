@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <random>
 #include <stdexcept>
@@ -64,6 +65,39 @@ TEST_CASE("the light of 3e10 rays in one pixel does not overflow, whatever the w
     CHECK(static_cast<double>(tally.raw(0, slot)) * 3e10 < 0x1p63);
   }
   CHECK(toFixed(4.5, kSquareScale) * 30'000'000'000 > 0);  // signed overflow would be caught by the sanitizer
+}
+
+TEST_CASE("a tally that cannot hold the light says so, whichever way the light comes") {
+  const auto filled = [](int slot, std::int64_t sum) {
+    TallyInfo wide = info(3, 1);
+    wide.rays = {{0, 10}};
+    Tally tally(wide);
+    for (int pixel = 0; pixel < 3; ++pixel) tally.setRaw(pixel, slot, sum);
+    return tally;
+  };
+  constexpr std::int64_t kFull = std::numeric_limits<std::int64_t>::max();
+  Tally empty(info(1, 1));
+  CHECK_THROWS_AS(empty.addExclusively(0, Vec3(1e12), false), std::overflow_error);
+  CHECK_THROWS_AS(empty.add(0, Vec3(std::nan("")), false), std::overflow_error);
+  for (const int slot : {Tally::kY, Tally::kFirstHalf, Tally::kSquares, Tally::kX, Tally::kZ}) {
+    CAPTURE(slot);
+    CHECK_THROWS_AS(filled(slot, kFull).addExclusively(1, Vec3(1.0), true), std::overflow_error);
+    CHECK_THROWS_AS(filled(slot, kFull).add(1, Vec3(1.0), true), std::overflow_error);
+    CHECK_THROWS_AS(filled(slot, kFull / 2 + 1).addMirrorImage(), std::overflow_error);
+    Tally other = filled(slot, kFull / 2 + 1);
+    other.info.rays = {{10, 10}};
+    CHECK_THROWS_AS(filled(slot, kFull / 2 + 1).merge(other), std::overflow_error);
+  }
+  // In the middle column two deposits become one of twice the light and four times its square.
+  Tally middle = filled(Tally::kSquares, kFull / 4);
+  CHECK_NOTHROW(middle.addMirrorImage());
+  CHECK(middle.raw(1, Tally::kSquares) == kFull / 4 * 4);
+  CHECK_THROWS_AS(filled(Tally::kSquares, kFull / 4 + 1).addMirrorImage(), std::overflow_error);
+}
+
+TEST_CASE("tallies of more than 3.4e10 rays together do not merge") {
+  Tally sum(traced(0, 30'000'000'000));
+  CHECK_THROWS_AS(sum.merge(Tally(traced(30'000'000'000, 30'000'000'000))), std::overflow_error);
 }
 
 TEST_CASE("eight threads that add in random order give the same bits as one") {

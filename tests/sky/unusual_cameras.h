@@ -27,20 +27,24 @@ class UnusualKeys {
     if (wants(key.name)) camera_.*member = between(unit.range, 0.3);
   }
   void numberOrNone(const CameraKey& key, auto unit, double CameraSettings::*member) {
-    if (isFisheye(camera_.projection)) number(key, decltype(unit){{unit.range.lo, 0.5 * unit.range.hi}}, member);
+    if (isFisheye(camera_.projection) && !showsHemispheres(camera_.projection))
+      number(key, decltype(unit){{unit.range.lo, 0.5 * unit.range.hi}}, member);
   }
   void numbers(const CameraKey& key, auto /*unit*/, auto member, const auto& parts) {
     const bool isLens = visitProjection(camera_.projection, [](auto facts) { return facts.isAzimuthal; });
-    if (!isLens || !wants(key.name)) return;
+    if (!isLens || showsHemispheres(camera_.projection) || !wants(key.name)) return;
     for (std::size_t i = 0; i < parts.size(); ++i) camera_.*member.*parts[i].member = 0.01 * static_cast<double>(i + 1);
   }
+  void choice(const CameraKey& key, auto member) {
+    if (wants(key.name)) camera_.*member = kMembersOf<std::remove_cvref_t<decltype(camera_.*member)>>.back();
+  }
   void fieldOfView(const FieldOfViewAttributes&, InDegrees) {
-    if (!wants(keyOf(axis_).name)) return;
+    if (showsHemispheres(camera_.projection) || !wants(keyOf(axis_).name)) return;
     camera_.fieldOfViewAxis = axis_;
     camera_.fieldOfView = radians(35.0);
   }
   void resolution(const CameraKey& key) {
-    if (wants(key.name)) camera_.width = 321, camera_.height = 123;
+    if (wants(key.name)) camera_.width = 322, camera_.height = 123;
   }
 
  private:
@@ -64,6 +68,7 @@ inline std::vector<CameraSettings> unusualCameras() {
     const bool hasDiagonal = visitProjection(projection, [](auto facts) { return facts.hasDiagonal; });
     for (const FieldOfViewKey& key : kFieldOfViewKeys) {
       if (key.axis == FieldOfViewAxis::diagonal && !hasDiagonal) continue;
+      if (showsHemispheres(projection) && key.axis != FieldOfViewAxis::horizontal) continue;
       CameraSettings& camera = all.emplace_back();
       camera.projection = projection;
       UnusualKeys unusual(camera, key.axis);

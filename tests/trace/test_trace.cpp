@@ -24,6 +24,13 @@ Cloud richCloud() {
   return Cloud(SunSettings{}, TabulatedIce{}, populations);
 }
 
+/// Level plates under the sun with its disc and spectrum: much of the sky stays dark.
+Cloud sunlit() {
+  AxisOrientation level;
+  const std::vector populations{prismPopulation(0.2, level)};
+  return Cloud(SunSettings{}, TabulatedIce{}, populations);
+}
+
 Tally emptyTally(const Cloud& cloud) {
   TallyInfo info;
   info.camera.width = info.camera.height = 64;
@@ -119,9 +126,69 @@ TEST_CASE("the ledger closes, and a profile over all angles holds all light") {
   for (const auto& bin : profile.bins()) sum += bin.energy;
   // Each deposit is rounded to 2^-29 of a ray's light.
   CHECK(std::abs(sum - 1.0) < 1e-9);
-  double byOrder = 0.0;
-  for (const double energy : profile.summary().byOrder) byOrder += energy;
+  const ScatterProfile::Summary summary = profile.summary();
+  double byOrder = summary.byOrderRest;
+  for (const double energy : summary.byOrder) byOrder += energy;
   CHECK(std::abs(byOrder - 1.0) < 1e-9);
+}
+
+TEST_CASE("a summary tells the first orders one by one, and the rest as one") {
+  // Thin plates hold light by total reflection for thousands of encounters.
+  const Cloud cloud = simpleCloud({prismPopulation(0.01)});
+  ScatterProfile one(1, 0.0, kPi);
+  constexpr std::uint64_t kRays = 20'000;
+  traceRays(cloud, {.rays = kRays}, 0, one);
+  const ScatterProfile::Summary summary = one.summary();
+  REQUIRE(summary.byOrder.size() == 32);
+  double rest = 0.0;
+  std::vector<double> byOrder(32, 0.0);
+  RaySource source(cloud, {}, 256);
+  const Intersectors engines = makeIntersectors(cloud, Engine::planes);
+  LightPath path;
+  for (std::uint64_t ray = 0; ray < kRays; ++ray) {
+    followRay(source, engines, {}, ray, path);
+    for (const Exit& exit : path.exits) (exit.order < 32 ? byOrder[exit.order] : rest) += exit.energy / kRays;
+  }
+  CHECK(rest > 1e-4);
+  CHECK(summary.byOrderRest == doctest::Approx(rest).epsilon(1e-4));
+  for (int k = 0; k < 32; ++k) CHECK(std::abs(summary.byOrder[k] - byOrder[k]) < 1e-4);
+}
+
+TEST_CASE("a bin that nothing hit is not known to be dark: its error is by the rule of three") {
+  const Cloud cloud = sunlit();
+  for (const std::uint64_t rays : {2'000u, 200'000u}) {
+    ScatterProfile profile(1800, 0.0, kPi);
+    SkyMap map(cloud.sun().toCentre(), 180);
+    traceRays(cloud, {.rays = rays}, 0, profile);
+    traceRays(cloud, {.rays = rays}, 0, map);
+    const double expected = 3.0 / (static_cast<double>(rays) / 2.0);  // bundles are pairs
+    int unhit = 0;
+    const auto check = [&](double energy, double error) {
+      unhit += energy == 0.0;
+      if (energy == 0.0) CHECK(error == doctest::Approx(expected).epsilon(1e-12));
+      if (energy > 0.0) CHECK(error > 0.0);
+    };
+    for (const auto& bin : profile.bins()) check(bin.energy, bin.error);
+    for (int row = 0; row < map.rows(); ++row)
+      for (int column = 0; column < map.columns(); ++column) check(map.energy(column, row), map.error(column, row));
+    CHECK(unhit > 100);
+  }
+}
+
+TEST_CASE("in the long run bins that a few rays left unhit hold no more than the rule of three says, most of them") {
+  const Cloud cloud = sunlit();
+  SkyMap few(cloud.sun().toCentre(), 60), many(cloud.sun().toCentre(), 60);
+  traceRays(cloud, {.rays = 20'000}, 0, few);
+  traceRays(cloud, {.rays = 2'000'000, .seed = 2}, 0, many);
+  int unhit = 0, above = 0;
+  for (int row = 0; row < few.rows(); ++row)
+    for (int column = 0; column < few.columns(); ++column)
+      if (few.energy(column, row) == 0.0) {
+        ++unhit;
+        above += many.energy(column, row) > few.error(column, row);
+      }
+  CHECK(unhit > 100);
+  CHECK(above < 0.05 * unhit);
 }
 
 TEST_CASE("undeviated light is in the first bin of a profile and in the sun's bin of a map") {

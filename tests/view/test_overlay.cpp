@@ -258,3 +258,42 @@ TEST_CASE("settings of an overlay that make no sense are refused") {
   refuses([](OverlaySettings& s) { s.scale = 0.0; });
   refuses([](OverlaySettings& s) { s.scale = 1e9; });
 }
+
+TEST_CASE("lines over a dual fisheye break at the seam, and a horizon on it is drawn on both rims") {
+  for (const double elevation : {90.0, 0.0, 30.0}) {
+    CAPTURE(elevation);
+    const CameraSettings camera = cameraOf(Projection::dualFisheyeEqualArea, 0, elevation, 180, 400, 200);
+    OverlaySettings settings = bare();
+    settings.horizon = true;
+    settings.gridStep = radians(15);
+    settings.circles = {radians(40), radians(100)};
+    int left = 0, right = 0;
+    // Nothing but a line's width outside the discs, so none goes from one to the other.
+    forEachDrawn(drawOverlay(camera, radians(20), kIndex, settings), [&](const Vec2& at, int) {
+      const double fromLeft = glm::length(at - Vec2(100.0)), fromRight = glm::length(at - Vec2(300.0, 100.0));
+      CHECK(std::min(fromLeft, fromRight) < 103.0);
+      if (std::abs(fromLeft - 100.0) < 2.0) ++left;
+      if (std::abs(fromRight - 100.0) < 2.0) ++right;
+    });
+    if (elevation != 90.0) continue;
+    CHECK(left > 600);
+    CHECK(right > 600);
+  }
+}
+
+TEST_CASE("no label lies across the seam of two discs, nor below a horizon that is cut") {
+  CameraSettings camera = cameraOf(Projection::dualFisheyeEqualArea, 0, 20, 180, 800, 400);
+  for (const Horizon horizon : {Horizon::keep, Horizon::cut}) {
+    camera.horizon = horizon;
+    const Overlay over = overlay(camera, radians(20), kIndex, everything());
+    CHECK(over.labels.size() > 5);
+    for (const PlacedLabel& label : over.labels) CHECK((label.box.max.x <= 400.0 || label.box.min.x >= 400.0));
+    if (horizon == Horizon::keep) continue;
+    CameraSettings whole = camera;
+    whole.horizon = Horizon::keep;
+    forEachDrawn(over.lines, [&](const Vec2& at, int) {
+      const auto toSky = Camera(whole).toSky(at);
+      if (toSky) CHECK(toSky->z > -0.04);  // half a line's width and its shadow
+    });
+  }
+}

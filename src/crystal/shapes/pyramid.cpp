@@ -9,11 +9,23 @@
 
 namespace parhelion {
 
+namespace {
+
+/// Of a full pyramid. The hexagon's face normals stand at the apothem from the axis; a pyramid face climbs from there
+/// to the apex.
+double apexHeightOf(const PyramidSettings& settings) { return 0.5 * std::sqrt(3.0) / portable::tan(settings.slope); }
+
+}  // namespace
+
+double lengthOverWidth(const PyramidSettings& settings) {
+  return settings.aspect + 0.5 * (settings.upper + settings.lower) * apexHeightOf(settings);
+}
+
 CrystalMesh hexagonalPyramid(const PyramidSettings& settings) {
-  if (settings.aspect == 0.0 && settings.upper == 0.0 && settings.lower == 0.0)
-    throw std::invalid_argument("a pyramid crystal needs a prism part or a pyramid of some height");
-  // The face normals of the hexagon stand at the apothem from the axis; a pyramid face climbs from there to the apex.
-  const double apexHeight = 0.5 * std::sqrt(3.0) / portable::tan(settings.slope);
+  const double aspect = lengthOverWidth(settings);
+  if (!(aspect >= kThinnestAspect && aspect <= kLongestAspect))
+    throw std::invalid_argument("a pyramid crystal's length over its width must lie from 1e-4 to 1e4");
+  const double apexHeight = apexHeightOf(settings);
 
   HexagonStack stack;
   const int lower = stack.addRing(1.0, -settings.aspect);

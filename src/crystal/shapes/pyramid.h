@@ -21,8 +21,11 @@ struct PyramidSettings {
 
 /// Hexagonal prism with pyramids on its ends, hexagon side 1 where they meet the prism. Faces 13-18 and 23-28 lie above
 /// and below the prism faces 3-8; basal faces 1 and 2 exist where a pyramid is cut off, prism faces where aspect > 0.
-/// Throws std::invalid_argument when nothing encloses a volume.
+/// Throws std::invalid_argument where lengthOverWidth() is below kThinnestAspect or above kLongestAspect.
 CrystalMesh hexagonalPyramid(const PyramidSettings& settings);
+
+/// What the aspect is for a prism, of the whole crystal: its length along c over twice the hexagon's side.
+double lengthOverWidth(const PyramidSettings& settings);
 
 inline CrystalMesh meshOf(const PyramidSettings& pyramid) { return hexagonalPyramid(pyramid); }
 inline std::optional<AngleDistribution> stretchOf(const PyramidSettings&) { return std::nullopt; }

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "math/portable.h"
-#include "recon/full_turn.h"
+#include "sky/full_turn.h"
 
 namespace parhelion {
 
@@ -19,7 +19,7 @@ GuardBand::GuardBand(const CameraSettings& camera) : picture_(camera) {
 
 SkyFrame GuardBand::frame() const {
   SkyFrame frame{{}, {}, columns_, rows_};
-  if (picture_.projection != Projection::equirectangular) return frame;
+  if (!isPanorama(picture_.projection)) return frame;
   if (rows_ > 0) frame.poles = {rows_, rows_ + picture_.height};
   const double perPixel = radiansPerPixel(picture_);
   for (int y = 0; y < height(); ++y) {

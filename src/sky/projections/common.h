@@ -35,7 +35,13 @@ inline constexpr double kFullAngleSlack = 1.0 + 1e-12;
 // Field of view at the very limit of a projection: lost digits must not count as beyond it.
 inline constexpr double kRounding = 1e-15;
 
-struct Fisheye {
+/// What most projections are not.
+struct OrdinaryPicture {
+  static constexpr bool isPanorama = false, showsHemispheres = false, isMirrored = false;
+  static constexpr int discs = 1;
+};
+
+struct Fisheye : OrdinaryPicture {
   static constexpr bool isFisheye = true, isAzimuthal = true, hasDiagonal = true;
   static constexpr double defaultFieldOfView = 180, defaultElevation = 90;
   static constexpr int defaultWidthPerHeight = 1;

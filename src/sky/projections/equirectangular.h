@@ -6,8 +6,8 @@
 namespace parhelion::projections {
 
 /// x = longitude, y = latitude of the camera's frame: the whole sphere as a map.
-struct Equirectangular {
-  static constexpr bool isFisheye = false, isAzimuthal = false, hasDiagonal = false;
+struct Equirectangular : OrdinaryPicture {
+  static constexpr bool isFisheye = false, isAzimuthal = false, isPanorama = true, hasDiagonal = false;
   static constexpr Range fieldOfView{0, 360, true}, verticalFieldOfView{0, 180, true};
   static constexpr double defaultFieldOfView = 360, defaultElevation = 0;
   static constexpr int defaultWidthPerHeight = 2;
@@ -24,6 +24,11 @@ struct Equirectangular {
 
   static std::optional<Vec3> direction(Vec2 p) {
     if (std::abs(p.x) > kPi * kFullAngleSlack || std::abs(p.y) > 0.5 * kPi * kFullAngleSlack) return std::nullopt;
+    return anywhere(p);
+  }
+
+  /// The same, turning on beyond the sphere's seam and poles.
+  static Vec3 anywhere(Vec2 p) {
     const auto [sinLon, cosLon] = portable::sincos(p.x);
     const auto [sinLat, cosLat] = portable::sincos(p.y);
     return Vec3(cosLat * sinLon, sinLat, cosLat * cosLon);

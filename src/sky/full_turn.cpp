@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "recon/full_turn.h"
+#include "sky/full_turn.h"
 
 #include <cmath>
 
@@ -15,7 +15,7 @@ double radiansPerPixel(const CameraSettings& camera) {
 }
 
 bool isFullTurn(const CameraSettings& camera) {
-  if (camera.projection != Projection::equirectangular) return false;
+  if (!isPanorama(camera.projection)) return false;
   return std::abs(radiansPerPixel(camera) * camera.width - 2.0 * kPi) < kRounding;
 }
 
