@@ -24,6 +24,15 @@ namespace {
 
 int bitsOf(const Samples& samples) { return std::holds_alternative<std::vector<std::uint8_t>>(samples) ? 8 : 16; }
 
+/// Exif's "2024:01:31 12:00:00" as 2024-01-31 12:00:00; empty where it is unknown, which cameras write as blanks or
+/// zeros.
+std::string dateIn(std::string taken) {
+  if (taken.find_first_of("123456789") == std::string::npos) return {};
+  for (const std::size_t dash : {4, 7})
+    if (taken.size() > dash && taken[dash] == ':') taken[dash] = '-';
+  return taken;
+}
+
 /// Degrees along the sides, through the middle of the picture.
 void printFieldOfView(const Photograph& photograph, double focalPixels) {
   const auto across = [&](int side) { return degrees(2.0 * std::atan(0.5 * side / focalPixels)); };
@@ -68,7 +77,7 @@ int infoPhotograph(const std::string& path, const FileKind& kind) {
     const bool repeats = exif.model.starts_with(exif.make);
     std::printf("camera: %s\n", (repeats ? exif.model : exif.make + " " + exif.model).c_str());
   }
-  if (!exif.taken.empty()) std::printf("taken: %s\n", exif.taken.c_str());
+  if (const std::string date = dateIn(exif.taken); !date.empty()) std::printf("taken: %s\n", date.c_str());
   const std::map<std::string, std::string> text = isJpeg ? readPictureText(path) : photograph.text;
   printLens(photograph, saysParhelion(text));
   printTexts(text, path);

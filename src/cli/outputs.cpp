@@ -7,7 +7,6 @@
 #include <system_error>
 
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include "cli/own_files.h"
 #include "picture/atomic_file.h"
@@ -32,8 +31,9 @@ std::string identityOf(const std::string& name) {
 
 void requireDistinct(const Files& files) {
   std::set<std::string> taken;
+  std::error_code none;  // what cannot be looked at cannot be read, of which its reader complains
   for (const std::string& input : files.inputs)
-    if (std::filesystem::is_regular_file(input)) taken.insert(identityOf(input));
+    if (std::filesystem::is_regular_file(input, none)) taken.insert(identityOf(input));
   // "-" can be the output of one option only, whatever stdout is.
   bool stdoutTaken = false;
   for (const std::string& output : files.outputs) {
@@ -72,8 +72,8 @@ bool isStream(const std::string& name) {
 }
 
 bool isNull(const std::string& name) {
-  struct stat status {
-  }, null{};
+  struct stat status {};
+  struct stat null {};
   return ::stat(name.c_str(), &status) == 0 && ::stat("/dev/null", &null) == 0 && S_ISCHR(status.st_mode) &&
          status.st_rdev == null.st_rdev;
 }

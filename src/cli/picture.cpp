@@ -3,6 +3,7 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <system_error>
 
 #include "cli/outputs.h"
 #include "cli/run_options.h"
@@ -49,7 +50,8 @@ SkyFiles PictureOptions::files(const std::string& input) const {
   // All of it is thrown away, as benchmarks want it.
   if (isNull(output)) return {output, output, exposure, gamutOf(gamut)};
   std::filesystem::path exr = output;
-  if (output.empty() || !exr.has_filename() || std::filesystem::is_directory(exr)) exr /= ownName(input);
+  std::error_code none;
+  if (output.empty() || !exr.has_filename() || std::filesystem::is_directory(exr, none)) exr /= ownName(input);
   const std::string extension = extensionOf(exr);
   if (isStream(output) && extension.empty())
     throw CLI::ValidationError("-o", "a picture is two files and cannot go to " +

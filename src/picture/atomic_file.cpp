@@ -68,7 +68,7 @@ std::optional<int> descriptorOf(const std::filesystem::path& path) {
   std::filesystem::path step = path;
   for (int i = 0; i < kMostLinks; ++i) {
     const std::filesystem::path folder =
-        std::filesystem::canonical(std::filesystem::absolute(step).parent_path(), none);
+        std::filesystem::canonical(std::filesystem::absolute(step, none).parent_path(), none);
     const std::string name = step.filename().string();
     int descriptor = 0;
     const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), descriptor);
