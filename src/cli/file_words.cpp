@@ -21,7 +21,7 @@ constexpr const char* kOfPhotograph =
 constexpr const char* kOfScene = "parhelion render makes a picture of a scene, parhelion trace a tally";
 constexpr const char* kOfTally =
     "parhelion recon makes a picture of it, parhelion view looks at it, parhelion info --scene prints its scene";
-constexpr const char* kOfPreview = "parhelion view looks at it; the EXR beside a preview holds the scene of both";
+constexpr const char* kOfOwnPicture = "parhelion view looks at it, parhelion info says what it holds";
 constexpr const char* kOfSky = "parhelion view looks at it, parhelion info --scene prints the scene it was made from";
 
 /// What a file is to commands.
@@ -43,7 +43,7 @@ Found foundPicture(const std::filesystem::path& path, const FileKind& kind) {
   if (text.contains(kTallyKey)) return {Role::tally, "a tally", kOfTally};
   if (!saysParhelion(text)) return found;
   found.name += " that parhelion has made";
-  found.hint = text.contains(kSceneKey) ? kOfSky : kOfPreview;
+  found.hint = text.contains(kSceneKey) ? kOfSky : kOfOwnPicture;
   return found;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/photo_options.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -50,6 +51,16 @@ constexpr const char* kWays = "--fov-horizontal, --fov-vertical, --fov-diagonal 
 constexpr const char* kNoSunElevation = "how high the sun stood is not known; give --sun-elevation";
 
 }  // namespace
+
+std::string sizeText(int width, int height) {
+  return std::to_string(width) + " x " + std::to_string(height) + " pixels";
+}
+
+bool hasShapeOf(const Photograph& photograph, const CameraSettings& camera) {
+  const double scale = static_cast<double>(photograph.width) / camera.width;
+  const double across = std::abs(photograph.height - scale * camera.height);
+  return across <= std::max(1.0, scale);
+}
 
 void PhotoOptions::addTo(CLI::App& command) {
   const auto angle = [&](const char* name, std::optional<double>& value, const char* about, double least, double most) {
@@ -234,8 +245,12 @@ PhotoCamera PhotoOptions::camera(const Photograph& photograph, const std::string
     PhotoCamera found;
     found.camera = carried.camera;
     found.sunElevation = (sunElevation ? inRadians(sunElevation) : sceneSunElevation).value_or(carried.sun.elevation);
-    if (found.camera.width != photograph.width || found.camera.height != photograph.height)
-      refuse(path, "the picture is not of the size its embedded scene says; give its camera by options");
+    if (!hasShapeOf(photograph, carried.camera))
+      refuse(path, "the picture is " + sizeText(photograph.width, photograph.height) + ", its scene says " +
+                       sizeText(carried.camera.width, carried.camera.height) +
+                       ": it must have been cropped; give its camera by options");
+    found.camera.width = photograph.width;
+    found.camera.height = photograph.height;
     return found;
   }
   const PhotoLens found = lens(photograph, path);

@@ -11,6 +11,12 @@
 
 namespace parhelion::cli {
 
+/// "96 x 64 pixels", for messages.
+std::string sizeText(int width, int height);
+
+/// Whether a picture shows, larger or smaller, what a camera does: its sides have the same ratio to within a pixel.
+bool hasShapeOf(const Photograph& photograph, const CameraSettings& camera);
+
 /// What a user says on the command line about a photograph's camera: its lens, and where it pointed.
 struct PhotoOptions {
   std::string projection;

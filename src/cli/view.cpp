@@ -14,6 +14,7 @@
 #include "picture/transfer.h"
 #include "render/scene_attributes.h"
 #include "scene/parse_scene.h"
+#include "scene/scene_halos.h"
 #include "scene/view_difference.h"
 #include "view/beside.h"
 #include "view/colour_difference.h"
@@ -40,7 +41,8 @@ std::string text(const char* format, double a, double b = 0.0) {
 }
 
 /// The camera of a picture: as the options say, by the scene in it, or, of a second picture that has none, the first's.
-PhotoCamera cameraOf(const ViewInput& input, const PhotoOptions& options, const PhotoCamera* first = nullptr) {
+PhotoCamera cameraOf(const ViewInput& input, const ViewOptions& view, const PhotoCamera* first = nullptr) {
+  const PhotoOptions& options = view.photo;
   const std::optional<std::string> scene = input.scene();
   if (first && !scene) {
     const CameraSettings& camera = first->camera;
@@ -53,7 +55,8 @@ PhotoCamera cameraOf(const ViewInput& input, const PhotoOptions& options, const 
     return *first;
   }
   std::optional<double> sunElevation;
-  if (scene && !first) sunElevation = parseScene(*scene, "the scene in " + input.path).scene.sun.elevation;
+  if (scene && !first) sunElevation = parseScene(*scene, "the scene in " + input.sceneFile).scene.sun.elevation;
+  if (!scene && !view.scene.empty()) sunElevation = loadScene(view.scene).scene.sun.elevation;
   try {
     return (first ? PhotoOptions{} : options).camera(input.photograph, input.path, sunElevation);
   } catch (const CLI::ValidationError& error) {
@@ -63,12 +66,53 @@ PhotoCamera cameraOf(const ViewInput& input, const PhotoOptions& options, const 
   }
 }
 
+/// Whose halos are drawn over a picture.
+struct Crystals {
+  std::vector<HaloMaker> makers;
+  IceSettings ice;
+  std::string remark;
+};
+
+/// Those of all makers that make halos of these families.
+std::vector<HaloMaker> makersOf(const std::vector<HaloFamily>& families) {
+  std::vector<HaloMaker> makers;
+  for (HaloMaker& maker : allHaloMakers()) {
+    if (maker.family == HaloFamily::random) maker.faces = prismFaces();
+    if (std::find(families.begin(), families.end(), maker.family) != families.end()) makers.push_back(maker);
+  }
+  if (std::find(families.begin(), families.end(), HaloFamily::pyramids) != families.end())
+    makers.push_back({HaloFamily::pyramids, pyramidFaces()});
+  return makers;
+}
+
+Crystals crystalsOf(const Scene& scene, const std::string& file) {
+  SceneHalos halos = halosOf(scene.populations);
+  std::string remark = "halos of the crystals in " + file;
+  for (const std::string& name : halos.nameless) remark += "; none has a name of those of \"" + name + '"';
+  return {std::move(halos.makers), scene.ice, std::move(remark)};
+}
+
+Crystals crystalsOf(const ViewInput& input, const ViewOptions& options) {
+  IceSettings ice;
+  std::optional<Scene> own;
+  if (const auto scene = input.scene()) own = parseScene(*scene, "the scene in " + input.sceneFile).scene;
+  if (own) ice = own->ice;
+  if (!options.crystals.empty()) return {makersOf(options.families()), ice, ""};
+  if (!options.scene.empty()) return crystalsOf(loadScene(options.scene).scene, options.scene);
+  if (own) return crystalsOf(*own, input.sceneFile);
+  return {allHaloMakers(), ice,
+          "halos of all crystals: " + input.path + " has no scene; --scene or --crystals says less"};
+}
+
 /// Lines and letters for what a picture shows.
 LineArt linesOver(const ViewInput& input, const PhotoCamera& camera, const ViewOptions& options) {
-  IceSettings ice;
-  if (const auto scene = input.scene()) ice = parseScene(*scene, "the scene in " + input.path).scene.ice;
-  return drawOverlay(camera.camera, camera.sunElevation, refractiveIndex(ice, kEyesWavelength),
-                     options.overlaySettings());
+  OverlaySettings settings = options.overlaySettings();
+  settings.belowHorizon = options.belowHorizon.value_or(!input.isPhotograph());
+  Crystals crystals;
+  if (settings.halos) crystals = crystalsOf(input, options);
+  settings.makers = std::move(crystals.makers);
+  if (!options.quiet && !crystals.remark.empty()) std::fprintf(stderr, "%s\n", crystals.remark.c_str());
+  return drawOverlay(camera.camera, camera.sunElevation, refractiveIndex(crystals.ice, kEyesWavelength), settings);
 }
 
 ColourDifference maskedRedMinusBlue(Display picture, const ViewOptions& options) {
@@ -87,7 +131,8 @@ View filtered(const ViewInput& input, const ViewOptions& options) {
     if (!input.tally)
       throw CLI::ValidationError("--dots",
                                  input.path + " holds no hits; parhelion trace SCENE -o hits.exr makes such a file");
-    view.picture = dots(*input.tally, options.dotSize, options.drawsLines() ? kDotsUnderLines : 0);
+    view.picture = dots(*input.tally, options.dotSize.value_or(usualDotSize(*input.tally)),
+                        options.drawsLines() ? kDotsUnderLines : 0);
     return view;
   }
   Shown shown = show(input, options.exposure);
@@ -150,8 +195,7 @@ Photograph reduced(const Photograph& photograph, int reduction) {
 void writeView(View view, const ViewInput& input, const ViewOptions& options) {
   std::map<std::string, std::string> said{{"Software", kSoftware}};
   // Of two pictures neither's scene holds for the whole.
-  if (const auto scene = input.scene(); scene && options.beside.empty() && options.reduction == 1)
-    said[kSceneKey] = *scene;
+  if (const auto scene = input.scene(); scene && options.beside.empty()) said[kSceneKey] = *scene;
   Photograph photograph;
   photograph.width = view.picture.width;
   photograph.height = view.picture.height;
@@ -167,17 +211,21 @@ std::vector<ViewInput> readPictures(const ViewOptions& options) {
   std::vector<ViewInput> pictures{readViewInput(options.input, options.photo.rules())};
   for (const std::string& other : options.beside) pictures.push_back(readViewInput(other, options.photo.rules()));
   if (!options.minus.empty()) pictures.push_back(readViewInput(options.minus, options.photo.rules()));
+  if (options.needsCamera() && !options.photo.given())
+    for (ViewInput& picture : pictures) takeSceneBeside(picture);
   if (options.exposure && std::none_of(pictures.begin(), pictures.end(), [](const auto& p) { return p.light; }))
     throw CLI::ValidationError("--exposure", "is for linear light; " + options.input + " has been developed already");
   return pictures;
 }
 
 std::vector<PhotoCamera> camerasOf(const std::vector<ViewInput>& pictures, const ViewOptions& options) {
-  std::vector<PhotoCamera> cameras{cameraOf(pictures[0], options.photo)};
+  std::vector<PhotoCamera> cameras{cameraOf(pictures[0], options)};
   for (std::size_t i = 1; i < pictures.size() && options.minus.empty(); ++i)
-    cameras.push_back(cameraOf(pictures[i], options.photo, &cameras[0]));
-  if (!options.quiet)
-    for (const std::string& remark : cameras[0].remarks) std::fprintf(stderr, "%s\n", remark.c_str());
+    cameras.push_back(cameraOf(pictures[i], options, &cameras[0]));
+  if (options.quiet) return cameras;
+  for (const std::string& remark : cameras[0].remarks) std::fprintf(stderr, "%s\n", remark.c_str());
+  if (pictures[0].scene() && !options.photo.given())
+    std::fprintf(stderr, "camera and sun of the scene in %s\n", pictures[0].sceneFile.c_str());
   return cameras;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/view_input.h"
 
+#include <filesystem>
 #include <stdexcept>
 
 #include "cli/file_words.h"
@@ -8,6 +9,7 @@
 #include "picture/auto_exposure.h"
 #include "picture/exr.h"
 #include "render/scene_attributes.h"
+#include "scene/parse_scene.h"
 #include "sky/radiance.h"
 #include "sky/tally_exr.h"
 
@@ -20,11 +22,18 @@ void requireColours(const std::string& path, const Image& image) {
     throw std::runtime_error(path + ": has no channels R, G, B");
 }
 
+/// The EXR with the name of a picture, whatever the case of its extension.
+std::optional<std::filesystem::path> skyBeside(const std::filesystem::path& picture) {
+  for (const char* extension : {".exr", ".EXR"}) {
+    const std::filesystem::path exr = std::filesystem::path(picture).replace_extension(extension);
+    if (std::filesystem::is_regular_file(exr) && isExr(exr)) return exr;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
-std::string sizeText(int width, int height) {
-  return std::to_string(width) + " x " + std::to_string(height) + " pixels";
-}
+bool ViewInput::isPhotograph() const { return !scene() || photograph.text.contains(kStrengthKey); }
 
 std::optional<std::string> ViewInput::scene() const {
   const auto found = photograph.text.find(kSceneKey);
@@ -34,7 +43,7 @@ std::optional<std::string> ViewInput::scene() const {
 ViewInput readViewInput(const std::string& path, const PhotographRules& rules) {
   ViewInput input;
   requireFit(path, Wanted::view);
-  input.path = path;
+  input.path = input.sceneFile = path;
   if (!isExr(path)) {
     input.photograph = readPhotograph(path, rules);
     return input;
@@ -53,6 +62,19 @@ ViewInput readViewInput(const std::string& path, const PhotographRules& rules) {
     input.light = std::move(exr.image);
   }
   return input;
+}
+
+void takeSceneBeside(ViewInput& input) {
+  if (input.scene() || input.light) return;
+  const std::optional<std::filesystem::path> exr = skyBeside(input.path);
+  if (!exr) return;
+  const ExrAttributes attributes = readExrAttributes(*exr);
+  const auto scene = attributes.find(kSceneKey);
+  if (scene == attributes.end() || attributes.contains(kStrengthKey)) return;
+  const CameraSettings camera = parseScene(scene->second, exr->string()).scene.camera;
+  if (!hasShapeOf(input.photograph, camera)) return;
+  input.photograph.text[kSceneKey] = scene->second;
+  input.sceneFile = exr->string();
 }
 
 Shown show(const ViewInput& input, std::optional<double> exposure) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/photo_options.h"
 #include "picture/photograph.h"
 #include "sky/tally.h"
 #include "view/display.h"
@@ -19,15 +20,21 @@ struct ViewInput {
   std::optional<Image> light;  // of an EXR: what it holds; of a tally: each pixel's own light, unfiltered
   std::optional<Tally> tally;
 
-  /// The scene in the picture.
-  std::optional<std::string> scene() const;
-};
+  std::string sceneFile;  // the file that has the scene
 
-/// "96 x 64 pixels", for messages.
-std::string sizeText(int width, int height);
+  /// The scene of the picture.
+  std::optional<std::string> scene() const;
+
+  /// Whether the picture is a photograph, with or without a halo in it.
+  bool isPhotograph() const;
+};
 
 /// Reads a photograph, a sky or a tally, told apart by what is in the file. Throws std::runtime_error "path: reason".
 ViewInput readViewInput(const std::string& path, const PhotographRules& rules);
+
+/// Gives a picture without a scene, such as a preview whose text has been lost, that of the sky of the same name and
+/// shape beside it, if there is one: an EXR of render or recon.
+void takeSceneBeside(ViewInput& input);
 
 struct Shown {
   Display display;

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/view_options.h"
 
+#include <sstream>
+
 #include "cli/number_list.h"
 #include "cli/outputs.h"
 #include "cli/run_options.h"
+#include "math/names.h"
 #include "view/dots.h"
 #include "view/gaussian_blur.h"
 
@@ -20,6 +23,22 @@ std::string validCircles(const std::string& text) {
   bool good = !radii.empty();
   for (const double radius : radii) good = good && radius > 0.0 && radius < 180.0;
   return good ? "" : "expected radii in degrees, for one 22,46, not '" + text + "'";
+}
+
+/// The words between commas.
+std::vector<std::string> words(const std::string& text) {
+  std::vector<std::string> all;
+  std::istringstream list(text);
+  for (std::string word; std::getline(list, word, ',');) all.push_back(word);
+  if (text.empty() || text.back() == ',') all.emplace_back();
+  return all;
+}
+
+std::string validFamilies(const std::string& text) {
+  const CLI::Validator known = nameOfOne<HaloFamily>();
+  for (std::string word : words(text))
+    if (std::string complaint = known(word); !complaint.empty()) return complaint;
+  return "";
 }
 
 std::string validUnsharp(const std::string& text) {
@@ -54,7 +73,9 @@ void addFilters(CLI::App& command, ViewOptions& o) {
       ->check(number(0.0, 1e12));
   command.add_flag("--dots", o.dots,
                    "Black dots on white where a tally was hit: the input is one that trace has written");
-  command.add_option("--dot-size", o.dotSize, "Pixels across a dot")
+  command
+      .add_option("--dot-size", o.dotSize,
+                  "Pixels across a dot; 1 when left out, more in pictures of more than 1600 pixels")
       ->type_name("PX")
       ->check(CLI::Range(1, kMaxDotSize));
   command.add_option("--exposure", o.exposure, "Exposure of linear light; chosen by the picture when left out")
@@ -65,8 +86,7 @@ void addFilters(CLI::App& command, ViewOptions& o) {
 }
 
 void addLines(CLI::App& command, ViewOptions& o) {
-  command.add_flag("--overlay", o.overlay,
-                   "The usual lines: grid, horizon, zenith, circles of 22 and 46, halos, labels");
+  command.add_flag("--overlay", o.overlay, "The usual lines: grid, horizon, zenith, halos, labels");
   command.add_option("--grid", o.grid, "Grid of altitude and azimuth from the sun")
       ->type_name("[DEG]")
       ->expected(0, 1)
@@ -79,7 +99,21 @@ void addLines(CLI::App& command, ViewOptions& o) {
       ->check(CLI::Validator(validCircles, ""));
   command.add_flag("--horizon-line", o.horizonLine, "The horizon");
   command.add_flag("--zenith", o.zenith, "The zenith");
-  command.add_flag("--halos", o.halos, "Where halos and arcs are for this elevation of the sun");
+  command.add_flag("--halos", o.halos, "Halos and arcs that the scene's crystals make with this elevation of the sun");
+  command
+      .add_option("--crystals", o.crystals,
+                  "Halos of these crystals, whatever the scene has: plates, columns, parry, lowitz, random, pyramids")
+      ->type_name("NAME,NAME...")
+      ->check(CLI::Validator(validFamilies, ""));
+  command.add_option("--scene", o.scene, "Halos of this scene's crystals and ice, whatever is in the picture")
+      ->type_name("SCENE");
+  const auto below = [&command, &o](const char* name, bool draw, const char* about) {
+    return command.add_flag_callback(
+        name, [&o, draw] { o.belowHorizon = draw; }, about);
+  };
+  CLI::Option* no =
+      below("--no-below-horizon", false, "Draw no lines below the horizon: so it is of photographs anyway");
+  below("--below-horizon", true, "Draw lines below the horizon, too: so it is of simulations anyway")->excludes(no);
   command.add_flag("--labels", o.labels, "Names and degrees of the lines");
   command.add_option("--layer", o.layer, "Write the lines alone, with alpha, to lay over the picture elsewhere")
       ->type_name("FILE.png")
@@ -136,25 +170,38 @@ void ViewOptions::requireSense() const {
          "the lines of two pictures are not one layer; leave --beside out");
   refuse(profileSettings().from >= profileSettings().to, "--from", "must be less than --to");
   refuse(gain && !redMinusBlue && minus.empty(), "--gain", "needs --red-minus-blue or --minus");
-  refuse(dotSize != 1 && !dots, "--dot-size", "needs --dots");
+  refuse(dotSize && !dots, "--dot-size", "needs --dots");
   refuse(!mask.empty() && !profiles && !redMinusBlue, "--mask", "needs --profile or --red-minus-blue");
   refuse(exposure && (profiles || dots), "--exposure", "has no meaning for --profile and --dots");
+  refuse(!scene.empty() && !drawsHalos(), "--scene", "is for halos: give --overlay or --halos");
+  refuse(!crystals.empty() && !drawsHalos(), "--crystals", "is for halos: give --overlay or --halos");
+  refuse(!scene.empty() && !crystals.empty(), "--scene", "and --crystals both say whose halos to draw");
+  refuse(belowHorizon && !drawsLines(), "--below-horizon",
+         "no lines were asked for: give --overlay, --grid or the like");
   refuse(labels && !drawsLines(), "--labels", "no lines were asked for: give --overlay, --grid or the like");
   refuse((photo.given() || photo.sunElevation) && !needsCamera(), "view",
          "the camera and the sun's elevation have no effect without lines or --profile");
 }
 
-bool ViewOptions::drawsLines() const { return overlay || grid || !circles.empty() || horizonLine || zenith || halos; }
+std::vector<HaloFamily> ViewOptions::families() const {
+  std::vector<HaloFamily> all;
+  for (const std::string& word : words(crystals)) all.push_back(valueOf<HaloFamily>(word));
+  return all;
+}
+
+bool ViewOptions::drawsLines() const {
+  return overlay || grid || !circles.empty() || horizonLine || zenith || drawsHalos();
+}
 
 OverlaySettings ViewOptions::overlaySettings() const {
   OverlaySettings settings;
-  settings.gridStep = grid ? radians(*grid) : overlay ? radians(10.0) : 0.0;
+  if (grid || !overlay) settings.gridStep = grid ? radians(*grid) : 0.0;
   settings.horizon = overlay || horizonLine;
   settings.zenith = overlay || zenith;
   settings.labels = overlay || labels;
-  settings.halos = overlay || halos;
-  for (const double radius : commaSeparated(!circles.empty() ? circles : overlay ? "22,46" : ""))
-    settings.circles.push_back(radians(radius));
+  settings.halos = drawsHalos();
+  settings.onPaper = dots;
+  for (const double radius : commaSeparated(circles)) settings.circles.push_back(radians(radius));
   return settings;
 }
 

@@ -21,7 +21,7 @@ struct ViewOptions {
   std::string minus;                // the other picture
   std::string unsharp;              // AMOUNT,RADIUS
   bool redMinusBlue = false, dots = false;
-  int dotSize = 1;                       // pixels
+  std::optional<int> dotSize;            // pixels
   int reduction = 1;                     // pixels averaged in each direction
   std::optional<double> gain, exposure;  // exposure in stops
   PhotoOptions photo;
@@ -31,6 +31,8 @@ struct ViewOptions {
   bool overlay = false, horizonLine = false, zenith = false, halos = false, labels = false;
   std::optional<double> grid;
   std::string circles;
+  std::string crystals, scene;       // whose halos are drawn, instead of those in the picture's scene: names, or a file
+  std::optional<bool> belowHorizon;  // whether lines are drawn there; left out: over simulations, not photographs
 
   // The profile; angles in degrees.
   std::string profile, chart;
@@ -42,6 +44,11 @@ struct ViewOptions {
   void requireSense() const;
 
   bool drawsLines() const;
+  bool drawsHalos() const { return overlay || halos; }
+
+  /// The families that --crystals names.
+  std::vector<HaloFamily> families() const;
+
   bool needsCamera() const { return drawsLines() || !profile.empty(); }
   OverlaySettings overlaySettings() const;
   UnsharpSettings unsharpSettings() const;

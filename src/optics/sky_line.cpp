@@ -66,6 +66,23 @@ std::vector<SkyLine> followLocus(double from, double to, const SkyLocus& locus) 
   return Follower(locus).follow(from, to);
 }
 
+std::vector<SkyLine> aboveHorizon(const SkyLine& line) {
+  std::vector<SkyLine> pieces;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const bool isUp = line[i].z >= 0.0, wasUp = i > 0 && line[i - 1].z >= 0.0;
+    if (i > 0 && isUp != wasUp) {
+      const Vec3 &a = line[i - 1], &b = line[i];
+      const Vec3 onHorizon = glm::normalize(a + a.z / (a.z - b.z) * (b - a));
+      if (isUp) pieces.push_back({});
+      pieces.back().push_back(onHorizon);
+    }
+    if (isUp && i == 0) pieces.push_back({});
+    if (isUp) pieces.back().push_back(line[i]);
+  }
+  std::erase_if(pieces, [](const SkyLine& piece) { return piece.size() < 2; });
+  return pieces;
+}
+
 SkyLine circleAbout(const Vec3& centre, double radius) {
   const SkyPoint at = skyPoint(centre);
   const auto [sinAz, cosAz] = portable::sincos(at.azimuth);

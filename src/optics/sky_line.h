@@ -23,6 +23,9 @@ using SkyLocus = std::function<std::optional<Vec3>(double)>;
 /// of the parameter.
 std::vector<SkyLine> followLocus(double from, double to, const SkyLocus& locus);
 
+/// What of a line lies above the horizon, in as many pieces as that leaves.
+std::vector<SkyLine> aboveHorizon(const SkyLine& line);
+
 /// The circle of angular radius `radius` (rad) about a unit vector, closed, the last point being the first. It begins
 /// above its centre and goes round clockwise as the observer sees it.
 SkyLine circleAbout(const Vec3& centre, double radius);

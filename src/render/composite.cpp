@@ -12,6 +12,9 @@
 #include "photo/find_sky.h"
 #include "photo/found_mask.h"
 #include "picture/jpeg_patch.h"
+#include "render/scene_attributes.h"
+#include "scene/parse_scene.h"
+#include "scene/scene_halos.h"
 #include "sky/envmap.h"
 #include "view/overlay.h"
 
@@ -38,10 +41,14 @@ void writeEditingPictures(const CompositeFiles& files, const Photograph& photogr
   writePhotograph(pictures[1], sumForEditing(photograph, added), text);
   writePhotograph(pictures[2], dodgeForEditing(photograph, added), text);
   writeSkyMask(pictures[3], added.mask, text);
+  const Scene scene = parseScene(text.at(kSceneKey), "the halo's scene").scene;
   OverlaySettings grid;
   grid.halos = true;
+  grid.makers = halosOf(scene.populations).makers;
+  grid.belowHorizon = false;
   constexpr double kGreen = 550.0;  // nm
-  writeLineArt(pictures[4], drawOverlay(camera.camera, camera.sunElevation, iceIndex(kGreen), grid), text);
+  const double index = refractiveIndex(scene.ice, kGreen);
+  writeLineArt(pictures[4], drawOverlay(camera.camera, camera.sunElevation, index, grid), text);
 }
 
 AddedHaloReport writePicture(const CompositeFiles& files, Photograph& photograph, const AddedHalo& added,

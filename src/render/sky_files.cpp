@@ -2,6 +2,7 @@
 #include "render/sky_files.h"
 
 #include <cstdio>
+#include <map>
 
 #include "parallel/threads.h"
 #include "picture/auto_exposure.h"
@@ -38,15 +39,17 @@ std::string exposureText(double stops) {
   return text;
 }
 
-void writePreview(const std::filesystem::path& png, const Preview& preview, double stops) {
-  writePng(png, preview, {{"Software", kSoftware}, {"Exposure", exposureText(stops)}});
+void writePreview(const std::filesystem::path& png, const Preview& preview, double stops, const std::string& scene) {
+  std::map<std::string, std::string> text{{"Software", kSoftware}, {"Exposure", exposureText(stops)}};
+  if (!scene.empty()) text[kSceneKey] = scene;
+  writePng(png, preview, text);
 }
 
 WrittenSky writeSkyFiles(const SkyFiles& files, Image image, const TallyInfo& info, const LoadedScene& loaded) {
   writeSky(files.exr, image, info, loaded, files.gamut);
   const double stops = files.exposure ? *files.exposure : autoExposure(image);
   const Preview preview = developPreview(image, {stops});
-  writePreview(files.png, preview, stops);
+  writePreview(files.png, preview, stops, loaded.text);
   return {stops, preview.badPixels};
 }
 

@@ -26,8 +26,9 @@ void writeSky(const std::filesystem::path& exr, Image& image, const TallyInfo& i
 /// An exposure as people and PNG texts read it: "+1.50 stops".
 std::string exposureText(double stops);
 
-/// Writes a preview developed at that exposure, which is among the PNG's texts. Throws std::runtime_error.
-void writePreview(const std::filesystem::path& png, const Preview& preview, double stops);
+/// Writes a preview developed at that exposure, which is among the PNG's texts, and so is the scene that it shows, as
+/// TOML; a sheet of several pictures has none. Throws std::runtime_error.
+void writePreview(const std::filesystem::path& png, const Preview& preview, double stops, const std::string& scene);
 
 /// Where the two files of a sky go.
 struct SkyFiles {

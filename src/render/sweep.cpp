@@ -89,11 +89,11 @@ std::optional<SweepPreviews> writePreviews(std::span<const SweepFrame> frames, c
     const Image image = readExr(frame.exr).image;
     const Preview preview = developPreview(image, {written.exposure});
     written.badPixels += preview.badPixels;
-    writePreview(frame.png(), preview, written.exposure);
+    writePreview(frame.png(), preview, written.exposure, frame.loaded.text);
     if (!settings.contactSheet.empty()) cells.push_back({reducedToFit(image, layout), labelsOf(frame)});
   }
   if (!cells.empty())
-    writePreview(settings.contactSheet, contactSheet(layout, cells, written.exposure), written.exposure);
+    writePreview(settings.contactSheet, contactSheet(layout, cells, written.exposure), written.exposure, {});
   return written;
 }
 

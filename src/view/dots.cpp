@@ -37,4 +37,9 @@ Preview dots(const Tally& tally, int size, std::uint8_t ink) {
   return page;
 }
 
+int usualDotSize(const Tally& tally) {
+  constexpr int kPixelsADot = 800;
+  return std::clamp(std::min(tally.width(), tally.height()) / kPixelsADot, 1, kMaxDotSize);
+}
+
 }  // namespace parhelion

@@ -16,4 +16,7 @@ inline constexpr int kMaxDotSize = 64;  // pixels
 /// Throws std::invalid_argument unless 1 <= size <= kMaxDotSize.
 Preview dots(const Tally& tally, int size = 1, std::uint8_t ink = 0);
 
+/// Pixels across a dot that can be seen when the whole picture is looked at: 1, more from 1600 pixels a side on.
+int usualDotSize(const Tally& tally);
+
 }  // namespace parhelion

@@ -47,8 +47,8 @@ double Crowd::in(const Box& box) const {
   return sum;
 }
 
-Labels::Labels(const Camera& camera, const Canvas& canvas, double size)
-    : camera_(camera), canvas_(canvas), size_(size) {}
+Labels::Labels(const Camera& camera, const Canvas& canvas, double size, bool below)
+    : camera_(camera), canvas_(canvas), size_(size), below_(below) {}
 
 Box Labels::around(const std::string& text, const Vec2& centre) const {
   const Vec2 half = 0.5 * canvas_.textBox(text, size_).size();
@@ -69,11 +69,17 @@ std::vector<Box> Labels::beside(const std::string& text, const Vec2& point, doub
 bool Labels::fits(const Box& box) const {
   const double room = kRoom * size_;
   const Box wide = box.grownBy(room);
-  for (const Vec2& corner : {wide.min, wide.max, Vec2(wide.min.x, wide.max.y), Vec2(wide.max.x, wide.min.y)})
-    if (!camera_.toSky(corner)) return false;
-  const bool crossesSeam = wide.min.x < camera_.seam() && wide.max.x > camera_.seam();
-  if (crossesSeam) return false;
-  return std::none_of(taken_.begin(), taken_.end(), [&](const Box& other) { return wide.overlaps(other); });
+  for (const Vec2& corner : {wide.min, wide.max, Vec2(wide.min.x, wide.max.y), Vec2(wide.max.x, wide.min.y)}) {
+    const std::optional<Vec3> toSky = camera_.toSky(corner);
+    if (!toSky || (!below_ && toSky->z < 0.0)) return false;
+  }
+  return !crossesSeam(wide) && !isTaken(wide);
+}
+
+bool Labels::crossesSeam(const Box& box) const { return box.min.x < camera_.seam() && box.max.x > camera_.seam(); }
+
+bool Labels::isTaken(const Box& box) const {
+  return std::any_of(taken_.begin(), taken_.end(), [&](const Box& other) { return box.overlaps(other); });
 }
 
 std::optional<PlacedLabel> Labels::place(const std::string& text, const std::vector<Box>& candidates) {
@@ -82,6 +88,20 @@ std::optional<PlacedLabel> Labels::place(const std::string& text, const std::vec
   taken_.push_back(*found);
   placed_.push_back({text, *found});
   return placed_.back();
+}
+
+std::optional<LabelPlace> Labels::place(const std::string& text, const std::vector<LabelPlace>& candidates) {
+  const auto leader = [](const LabelPlace& at) {
+    return Box{glm::min(at.anchor, at.foot()), glm::max(at.anchor, at.foot())};
+  };
+  const auto found = std::find_if(candidates.begin(), candidates.end(), [&](const LabelPlace& at) {
+    return fits(at.box) && !isTaken(leader(at)) && !crossesSeam(leader(at));
+  });
+  if (found == candidates.end()) return std::nullopt;
+  taken_.push_back(found->box);
+  taken_.push_back(leader(*found));
+  placed_.push_back({text, found->box});
+  return *found;
 }
 
 }  // namespace parhelion

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include <glm/common.hpp>
+
 #include "sky/camera.h"
 #include "view/canvas.h"
 
@@ -14,6 +16,15 @@ namespace parhelion {
 struct PlacedLabel {
   std::string text;
   Box box;
+};
+
+/// A place for a label, and the point that it names: a leader joins the two.
+struct LabelPlace {
+  Box box;
+  Vec2 anchor;
+
+  /// The leader's end at the label.
+  Vec2 foot() const { return glm::clamp(anchor, box.min, box.max); }
 };
 
 /// How much is drawn where in a picture.
@@ -33,10 +44,11 @@ class Crowd {
   std::vector<double> length_;
 };
 
-/// Finds room for labels, one after the other: inside the part of the picture that shows sky, off each other.
+/// Finds room for labels, one after the other: inside the part of the picture that shows sky, off each other, and above
+/// the horizon unless they may go `below` it.
 class Labels {
  public:
-  Labels(const Camera& camera, const Canvas& canvas, double size);
+  Labels(const Camera& camera, const Canvas& canvas, double size, bool below = true);
 
   double size() const { return size_; }
   const std::vector<PlacedLabel>& placed() const { return placed_; }
@@ -56,10 +68,17 @@ class Labels {
   /// Puts a label in the first of the rectangles that has room; none if no rectangle has.
   std::optional<PlacedLabel> place(const std::string& text, const std::vector<Box>& candidates);
 
+  /// The same with leaders, which keep off other labels as well.
+  std::optional<LabelPlace> place(const std::string& text, const std::vector<LabelPlace>& candidates);
+
  private:
   const Camera& camera_;
   const Canvas& canvas_;
+  bool isTaken(const Box& box) const;
+  bool crossesSeam(const Box& box) const;
+
   double size_;  // of the letters, pixels
+  bool below_;
   std::vector<Box> taken_;
   std::vector<PlacedLabel> placed_;
 };

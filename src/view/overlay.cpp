@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -10,6 +11,9 @@
 
 #include "math/rotation.h"
 #include "optics/halo_forms.h"
+#include "view/curve_labels.h"
+#include "view/legend.h"
+#include "view/palette.h"
 #include "view/picture_lines.h"
 #include "view/sky_grid.h"
 
@@ -17,6 +21,7 @@ namespace parhelion {
 namespace {
 
 constexpr double kFinestGrid = radians(0.1);
+constexpr double kUsualGrid = radians(10), kWideGrid = radians(30);
 constexpr double kRounding = 1e-9;  // relative, of a step that was once in degrees
 
 // Letters take this share of the picture's shorter side, and are never smaller than can be read, pixels.
@@ -26,40 +31,27 @@ constexpr double kSmallestLetters = 9.0;
 // All other lengths are in sizes of the letters.
 constexpr double kLineWidth = 0.075;
 constexpr double kShadowWidth = 0.07;  // that much more on either side of a line
-constexpr double kGap = 0.45;          // between a label and what it names
-constexpr double kBeside = 0.7;        // a curve that near a label seems to be meant by it
 constexpr double kSunRadius = 0.55;
 constexpr double kSpotRadius = 0.3;
 constexpr double kCross = 0.45;  // half length of the zenith's arms
 
-constexpr Colour kShadow{0.0, 0.02, 0.06, 0.45};  // its alpha times that of the line
-constexpr Colour kTextShadow{0.0, 0.02, 0.06, 0.72};
-constexpr Colour kGridColour{1.0, 1.0, 1.0, 0.42};
-constexpr Colour kBelowColour{1.0, 1.0, 1.0, 0.24};
-constexpr Colour kHorizonColour{1.0, 0.66, 0.32, 0.9};
-constexpr Colour kCircleColour{1.0, 0.89, 0.45, 0.8};
-constexpr Colour kHaloColour{0.47, 0.90, 1.0, 0.85};
-constexpr Colour kSunColour{1.0, 0.95, 0.75, 1.0};
+constexpr double kThinnestLine = 0.9;  // pixels
+constexpr double kClosestGrid = 2.0;   // between lines, sizes of the letters
 
-// Names of halos look for places along this many points of their curve.
-constexpr std::size_t kLabelTries = 96;
+// Rare halos are for pictures whose shorter side is at least this many letters.
+constexpr double kRoomForRare = 26.0;
 
-// A label moves by this share of the picture's shorter side to keep off one line.
-constexpr double kWorthOfLine = 0.4;
+// Of lines of halos that are rare, to that of the others.
+constexpr double kRareWidth = 0.75;
 
 Colour opaque(Colour c) {
   c.alpha = 1.0;
   return c;
 }
 
-Colour shadowOf(const Colour& c) {
-  Colour shadow = kShadow;
-  shadow.alpha *= c.alpha;
-  return shadow;
-}
-
 void validate(const OverlaySettings& s) {
-  if (s.gridStep != 0.0 && !(s.gridStep >= kFinestGrid * (1.0 - kRounding) && s.gridStep <= kPi))
+  const double step = s.gridStep.value_or(kUsualGrid);
+  if (step != 0.0 && !(step >= kFinestGrid * (1.0 - kRounding) && step <= kPi))
     throw std::invalid_argument("overlay: grid lines are from 0.1 to 180 degrees apart");
   for (const double radius : s.circles)
     if (!(radius > 0.0 && radius < kPi))
@@ -74,20 +66,27 @@ double letterSize(const CameraSettings& camera, double scale) {
 /// One drawing: lines are gathered first, so that their shadows lie below all of them.
 class Painter {
  public:
-  Painter(const CameraSettings& settings, double sunElevation, double size)
+  Painter(const CameraSettings& settings, double sunElevation, double size, const Palette& palette, bool below)
       : camera_(settings),
         canvas_(settings.width, settings.height),
-        labels_(camera_, canvas_, size),
+        labels_(camera_, canvas_, size, below),
         crowd_(settings.width, settings.height, 0.5 * size),
         size_(size),
         frame_(Box{Vec2(0.0), Vec2(settings.width, settings.height)}.grownBy(size)),
         elevation_(sunElevation),
+        palette_(palette),
+        below_(below),
         toSun_(skyDirection(0.0, sunElevation)) {}
+
+  double usualGridStep() const {
+    return kUsualGrid * camera_.focalLength() < kClosestGrid * size_ ? kWideGrid : kUsualGrid;
+  }
 
   void grid(double step, bool named) {
     std::vector<PixelLine> above, below;
     const int every = labelEvery(camera_, labels_, step);
     for (GridLine& line : gridLines(step)) {
+      if (line.isBelow && !below_) continue;
       std::vector<PixelLine> shown = linesInPicture(camera_, line.line, frame_);
       crowd_.add(shown, 0.15);
       std::vector<PixelLine>& all = line.isBelow ? below : above;
@@ -97,54 +96,60 @@ class Painter {
         grid_.push_back({std::move(line), std::move(shown)});
     }
     gridStep_ = step;
-    strokes_.push_back({std::move(below), {kBelowColour, kLineWidth * size_}});
-    strokes_.push_back({std::move(above), {kGridColour, kLineWidth * size_}});
+    strokes_.push_back({std::move(below), {palette_.below, width(1.0)}});
+    strokes_.push_back({std::move(above), {palette_.grid, width(1.0)}});
   }
 
-  void horizon() { add({circleAbout(Vec3(0.0, 0.0, 1.0), 0.5 * kPi)}, {kHorizonColour, 1.7 * kLineWidth * size_}); }
+  void horizon() { add({circleAbout(Vec3(0.0, 0.0, 1.0), 0.5 * kPi)}, {palette_.horizon, width(1.7)}); }
 
   void zenith(bool named) {
     const std::optional<Vec2> at = camera_.project(Vec3(0.0, 0.0, 1.0));
     if (!at) return;
     const Vec2 right(kCross * size_, 0.0), up(0.0, kCross * size_);
-    strokes_.push_back(
-        {{{*at - right, *at + right}, {*at - up, *at + up}}, {opaque(kGridColour), 1.4 * kLineWidth * size_}});
-    mark(*at, kCross, named ? "zenith" : "", kGridColour);
+    strokes_.push_back({{{*at - right, *at + right}, {*at - up, *at + up}}, {opaque(palette_.grid), width(1.4)}});
+    mark(*at, kCross, named ? "zenith" : "", palette_.grid);
   }
 
   void sun(bool named) {
-    const std::optional<Vec2> at = camera_.project(toSun_);
+    const std::optional<Vec2> at = placeOf(toSun_);
     if (!at) return;
-    strokes_.push_back({{ringAt(*at, kSunRadius)}, {kSunColour, 1.5 * kLineWidth * size_}});
-    discs_.push_back({*at, 0.16 * size_, kSunColour});
-    mark(*at, kSunRadius, named ? "sun" : "", kSunColour);
+    strokes_.push_back({{ringAt(*at, kSunRadius)}, {palette_.sun, width(1.5)}});
+    discs_.push_back({*at, 0.16 * size_, palette_.sun});
+    mark(*at, kSunRadius, named ? "sun" : "", palette_.sun);
   }
 
   void circles(const std::vector<double>& radii, bool named) {
     for (const double radius : radii) {
       const Vec3 below = skyDirection(0.0, elevation_ - radius);
-      curve({degreeText(radius, false), {circleAbout(toSun_, radius)}, below},
-            {kCircleColour, 1.2 * kLineWidth * size_, 0.45 * size_}, named);
+      curve(degreeText(radius, false), {circleAbout(toSun_, radius)}, below,
+            {palette_.circle, width(1.2), 0.45 * size_}, named);
     }
   }
 
-  void halos(const std::vector<HaloCurve>& curves, bool named) {
-    for (const HaloCurve& halo : curves) curve(halo, {kHaloColour, 1.3 * kLineWidth * size_}, named);
-  }
-
-  void spots(const std::vector<HaloPoint>& points, bool named) {
-    for (const HaloPoint& point : points)
-      if (const std::optional<Vec2> at = camera_.project(point.toSky)) {
-        strokes_.push_back({{ringAt(*at, kSpotRadius)}, {opaque(kHaloColour), 1.3 * kLineWidth * size_}});
-        mark(*at, kSpotRadius, named ? point.name : "", kHaloColour);
+  void halos(const HaloForms& forms, bool named) {
+    const bool isSmall = std::min(camera_.width(), camera_.height()) < kRoomForRare * size_;
+    for (const HaloCurve& halo : forms.curves) {
+      if (halo.isRare && isSmall) continue;
+      const double share = halo.isRare ? kRareWidth : 1.0;
+      const bool isSeen =
+          curve(halo.name, halo.lines, halo.labelAt, {palette_.of(halo.family), width(1.5 * share)}, named);
+      if (isSeen) families_.insert(halo.family);
+    }
+    for (const HaloPoint& point : forms.points)
+      if (const std::optional<Vec2> at = placeOf(point.toSky)) {
+        const Colour colour = palette_.of(point.family);
+        strokes_.push_back({{ringAt(*at, kSpotRadius)}, {opaque(colour), width(1.5)}});
+        mark(*at, kSpotRadius, named ? point.name : "", colour);
+        families_.insert(point.family);
       }
   }
 
-  Overlay finish() {
+  Overlay finish(bool legend) {
     for (const auto& s : strokes_)
       canvas_.lines(s.lines, {shadowOf(s.stroke.colour), s.stroke.width + 2.0 * kShadowWidth * size_, s.stroke.dash});
     for (const auto& s : strokes_) canvas_.lines(s.lines, s.stroke);
     for (const auto& d : discs_) canvas_.disc(d.centre, d.radius, d.colour);
+    if (legend) drawLegend(canvas_, labels_, crowd_, camera_, {families_.begin(), families_.end()}, palette_);
     nameAll();
     return {canvas_.lineArt(), labels_.placed()};
   }
@@ -159,35 +164,41 @@ class Painter {
     double radius;
     Colour colour;
   };
-  struct NamedSpot {
-    std::string text;
-    Vec2 at;
-    double radius;  // pixels
-    Colour colour;
-  };
-  struct NamedCurve {
-    std::string text;
-    std::vector<PixelLine> lines;
-    std::optional<Vec2> preferred;
-    Colour colour;
-  };
   struct NamedGridLine {
     GridLine line;
     std::vector<PixelLine> shown;
   };
 
+  double width(double share) const { return std::max(kThinnestLine, share * kLineWidth * size_); }
+
+  Colour shadowOf(const Colour& c) const {
+    Colour shadow = palette_.shadow;
+    shadow.alpha *= c.alpha;
+    return shadow;
+  }
+
+  /// None outside the picture, and for what is not to be drawn below the horizon.
+  std::optional<Vec2> placeOf(const Vec3& toSky) const {
+    return below_ || toSky.z >= 0.0 ? camera_.project(toSky) : std::nullopt;
+  }
+
   std::vector<PixelLine> add(const std::vector<SkyLine>& lines, const Stroke& stroke) {
     std::vector<PixelLine> all;
     for (const SkyLine& line : lines)
-      for (PixelLine& shown : linesInPicture(camera_, line, frame_)) all.push_back(std::move(shown));
+      for (const SkyLine& drawn : below_ ? std::vector<SkyLine>{line} : aboveHorizon(line))
+        for (PixelLine& shown : linesInPicture(camera_, drawn, frame_)) all.push_back(std::move(shown));
     crowd_.add(all, 1.0);
     strokes_.push_back({all, stroke});
     return all;
   }
 
-  void curve(const HaloCurve& halo, const Stroke& stroke, bool named) {
-    std::vector<PixelLine> shown = add(halo.lines, stroke);
-    if (named) curves_.push_back({halo.name, std::move(shown), camera_.project(halo.labelAt), stroke.colour});
+  /// Whether anything of it is in the picture.
+  bool curve(const std::string& name, const std::vector<SkyLine>& lines, const Vec3& labelAt, const Stroke& stroke,
+             bool named) {
+    std::vector<PixelLine> shown = add(lines, stroke);
+    if (shown.empty()) return false;
+    if (named) curves_.push_back({name, std::move(shown), placeOf(labelAt), stroke.colour});
+    return true;
   }
 
   void mark(const Vec2& at, double radius, const std::string& text, const Colour& colour) {
@@ -202,54 +213,24 @@ class Painter {
     return ring;
   }
 
-  /// Fewest lines under the label, other curves not beside it either, and near the place the curve asks for.
-  double cost(const NamedCurve& curve, const Crowd& own, const Box& box, const Vec2& point) const {
-    const Box wide = box.grownBy(kBeside * size_);
-    const double lines = (crowd_.in(wide)-own.in(wide) + own.in(box)) / box.size().y;
-    if (!curve.preferred) return lines;
-    const double side = std::min(camera_.width(), camera_.height());
-    return lines + glm::length(point - *curve.preferred) / (kWorthOfLine * side);
-  }
-
-  std::vector<Box> placesFor(const NamedCurve& curve) const {
-    struct Candidate {
-      double cost;
-      Box box;
-    };
-    Crowd own(camera_.width(), camera_.height(), 0.5 * size_);
-    own.add(curve.lines, 1.0);
-    std::size_t points = 0;
-    for (const PixelLine& line : curve.lines) points += line.size();
-    const std::size_t stride = points / kLabelTries + 1;
-    std::vector<Candidate> candidates;
-    for (const PixelLine& line : curve.lines)
-      for (std::size_t i = line.size() > stride ? stride / 2 : 0; i < line.size(); i += stride)
-        for (const Box& box : labels_.beside(curve.text, line[i], kGap * size_))
-          candidates.push_back({cost(curve, own, box, line[i]), box});
-    std::stable_sort(candidates.begin(), candidates.end(),
-                     [](const Candidate& a, const Candidate& b) { return a.cost < b.cost; });
-    std::vector<Box> boxes;
-    for (const Candidate& candidate : candidates) boxes.push_back(candidate.box);
-    return boxes;
-  }
-
-  void name(const std::string& text, const std::vector<Box>& places, const Colour& colour) {
-    if (const std::optional<PlacedLabel> label = labels_.place(text, places))
-      canvas_.text(label->text, label->box.min, size_, opaque(colour), kTextShadow);
+  void name(const std::string& text, const std::vector<LabelPlace>& places, const Colour& colour) {
+    const std::optional<LabelPlace> label = labels_.place(text, places);
+    if (!label) return;
+    canvas_.lines({{label->anchor, label->foot()}},
+                  {shadowOf(opaque(colour)), width(1.2) + 2.0 * kShadowWidth * size_});
+    canvas_.lines({{label->anchor, label->foot()}}, {opaque(colour), width(1.2)});
+    canvas_.text(text, label->box.min, size_, opaque(colour), palette_.textShadow);
   }
 
   /// What has least choice comes first.
   void nameAll() {
-    for (const NamedSpot& spot : spots_) {
-      std::vector<Box> sides = labels_.beside(spot.text, spot.at, spot.radius + kGap * size_);
-      std::stable_sort(sides.begin(), sides.end(),
-                       [&](const Box& a, const Box& b) { return crowd_.in(a) < crowd_.in(b); });
-      name(spot.text, sides, spot.colour);
+    for (const NamedSpot& spot : spots_) name(spot.text, placesFor(spot, crowd_, labels_), spot.colour);
+    for (const NamedCurve& curve : curves_) name(curve.text, placesFor(curve, crowd_, labels_, camera_), curve.colour);
+    for (const auto& [line, shown] : grid_) {
+      const std::string text = degreeText(line.angle, !line.isAltitude);
+      if (const auto label = labels_.place(text, gridLabelPlaces(camera_, labels_, line, shown, gridStep_)))
+        canvas_.text(text, label->box.min, size_, opaque(palette_.grid), palette_.textShadow);
     }
-    for (const NamedCurve& curve : curves_) name(curve.text, placesFor(curve), curve.colour);
-    for (const auto& [line, shown] : grid_)
-      name(degreeText(line.angle, !line.isAltitude), gridLabelPlaces(camera_, labels_, line, shown, gridStep_),
-           kGridColour);
   }
 
   Camera camera_;
@@ -259,6 +240,8 @@ class Painter {
   double size_;  // of the letters, pixels
   Box frame_;    // the picture and a little more, so that lines do not thin out at its border
   double elevation_;
+  const Palette& palette_;
+  bool below_;  // whether there are lines below the horizon
   Vec3 toSun_;
   double gridStep_ = 0.0;
   std::vector<Strokes> strokes_;
@@ -266,25 +249,23 @@ class Painter {
   std::vector<NamedSpot> spots_;
   std::vector<NamedCurve> curves_;
   std::vector<NamedGridLine> grid_;
+  std::set<HaloFamily> families_;  // of which something is in the picture
 };
 
 }  // namespace
 
 Overlay overlay(const CameraSettings& camera, double sunElevation, double index, const OverlaySettings& settings) {
   validate(settings);
-  Painter painter(camera, sunElevation, letterSize(camera, settings.scale));
-  if (settings.gridStep > 0.0) painter.grid(settings.gridStep, settings.labels);
+  Painter painter(camera, sunElevation, letterSize(camera, settings.scale), settings.onPaper ? kOnPaper : kOnSky,
+                  settings.belowHorizon);
+  const double step = settings.gridStep.value_or(painter.usualGridStep());
+  if (step > 0.0) painter.grid(step, settings.labels);
   if (settings.horizon) painter.horizon();
   painter.circles(settings.circles, settings.labels);
-  if (settings.pyramids) painter.halos(pyramidRings(sunElevation, index), settings.labels);
   painter.sun(settings.labels);
   if (settings.zenith) painter.zenith(settings.labels);
-  if (settings.halos) {
-    const HaloForms forms = haloForms(sunElevation, index);
-    painter.halos(forms.curves, settings.labels);
-    painter.spots(forms.points, settings.labels);
-  }
-  return painter.finish();
+  if (settings.halos) painter.halos(haloForms(sunElevation, index, settings.makers), settings.labels);
+  return painter.finish(settings.labels);
 }
 
 }  // namespace parhelion

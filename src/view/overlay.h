@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <vector>
 
+#include "optics/halo_makers.h"
 #include "sky/camera_settings.h"
 #include "view/labels.h"
 #include "view/line_art.h"
@@ -10,15 +12,18 @@
 namespace parhelion {
 
 struct OverlaySettings {
-  double gridStep =
-      radians(10);  // rad, between lines of equal altitude and azimuth, the sun's azimuth being 0; 0: none
+  // Between lines of equal altitude and azimuth, the sun's azimuth being 0, rad. 0: none; left out: 10 degrees, or 30
+  // where lines would stand too close.
+  std::optional<double> gridStep;
   bool horizon = true;
   bool zenith = true;
   bool labels = true;
   std::vector<double> circles;  // rad, radii about the sun
-  bool halos = false;           // haloForms()
-  bool pyramids = false;        // pyramidRings()
-  double scale = 1.0;  // of lines and letters; 1: letters are 1/50 of the picture's shorter side, at least 9 px
+  bool halos = false;           // haloForms() of the makers; in small pictures without the rare ones
+  std::vector<HaloMaker> makers = allHaloMakers();
+  bool belowHorizon = true;  // draw there, too
+  bool onPaper = false;      // in dark colours, for dots on white
+  double scale = 1.0;        // of lines and letters; 1: letters are 1/50 of the picture's shorter side, at least 9 px
 };
 
 struct Overlay {

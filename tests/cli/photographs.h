@@ -6,14 +6,22 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <filesystem>
 #include <limits>
 #include <random>
 #include <string>
+#include <variant>
+#include <vector>
 
 #include "picture/photograph.h"
 #include "shell.h"
 
 namespace parhelion::test {
+
+/// The samples of a picture of 8 bits, whatever it says of itself.
+inline std::vector<std::uint8_t> samplesOf(const std::filesystem::path& path) {
+  return std::get<std::vector<std::uint8_t>>(readPhotograph(path).samples);
+}
 
 /// A smooth sky over rough land; the border runs across the picture at `skyline` of its height. 8 or 16 bits.
 template <class Code>

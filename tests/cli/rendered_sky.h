@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include "picture/photograph.h"
 #include "shell.h"
 
 namespace parhelion::test {
@@ -22,11 +23,12 @@ elevation = 25.0
 rays = "20k"
 )";
 
-/// A folder with a sky, its preview and a tally.
+/// A folder with a sky, its preview, the preview as a photograph that says nothing of itself, and a tally.
 struct WithSky : Folder {
   WithSky() {
     writeFile(*this / "s.toml", kScene);
     REQUIRE(run(*this, "parhelion render s.toml --quiet").exit == 0);
+    writePhotograph(*this / "photo.png", readPhotograph(*this / "s.png"), {});
     REQUIRE(run(*this, "parhelion trace s.toml --quiet -o hits.exr --rays 300").exit == 0);
   }
 };

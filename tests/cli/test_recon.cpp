@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "photographs.h"
 #include "shell.h"
 
 using namespace parhelion::test;
@@ -78,7 +79,7 @@ TEST_CASE("-D overrides keys of recon, and of nothing else") {
   WithTallies folder;
   REQUIRE(run(folder, "parhelion recon t.exr --quiet -o a.exr -D recon.method=none").exit == 0);
   REQUIRE(run(folder, "parhelion recon t.exr --quiet -o b.exr --method none").exit == 0);
-  CHECK(readFile(folder / "a.png") == readFile(folder / "b.png"));
+  CHECK(samplesOf(folder / "a.png") == samplesOf(folder / "b.png"));
   const Outcome other = run(folder, "parhelion recon t.exr -o c.exr -D sun.elevation=30");
   CHECK(other.exit == 2);
   CHECK(other.err.find("traced already") != std::string::npos);

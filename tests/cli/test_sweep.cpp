@@ -133,7 +133,7 @@ TEST_CASE("an interrupted sweep keeps its finished frames and goes on to the sam
 
 TEST_CASE("a frame that the time limit cuts short is not written") {
   WithScene folder;
-  const Outcome outcome = run(folder, "parhelion sweep s.toml sun.elevation=10,20 -o f_%d.exr --rays 20G --time 0.3");
+  const Outcome outcome = run(folder, "parhelion sweep s.toml sun.elevation=10,20 -o f_%d.exr --rays 10G --time 0.3");
   CHECK(outcome.exit == 75);
   CHECK(framesIn(folder) == 0);
   CHECK(outcome.err.find("the same command goes on") != std::string::npos);

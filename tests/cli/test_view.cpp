@@ -42,11 +42,11 @@ TEST_CASE("a sky without lines and filters is its preview, and a photograph is i
 TEST_CASE("the lines over a sky are those over its preview with the same camera, and those of the layer") {
   WithSky folder;
   REQUIRE(run(folder, "parhelion view s.exr --overlay --layer sky.png -o a.png").exit == 0);
-  REQUIRE(run(folder, "parhelion view s.png --overlay --layer photo.png -o b.png" + kCamera).exit == 0);
+  REQUIRE(run(folder, "parhelion view s.png --overlay --layer photo-lines.png -o b.png" + kCamera).exit == 0);
   CHECK(samples(readPhotograph(folder / "a.png")) == samples(readPhotograph(folder / "b.png")));
   const Photograph layer = readPhotograph(folder / "sky.png");
   CHECK(layer.channels == 4);
-  CHECK(samples(layer) == samples(readPhotograph(folder / "photo.png")));
+  CHECK(samples(layer) == samples(readPhotograph(folder / "photo-lines.png")));
   CHECK(samples(readPhotograph(folder / "a.png")) != samples(readPhotograph(folder / "s.png")));
 }
 
@@ -60,6 +60,52 @@ TEST_CASE("each line can be asked for by itself, with and without numbers") {
     different.insert(samples(readPhotograph(folder / "v.png")));
   }
   CHECK(different.size() >= 9);  // this picture does not show the zenith
+}
+
+TEST_CASE("a preview knows its scene, in other folders and sizes too, and one without it asks the sky beside it") {
+  WithSky folder;
+  std::filesystem::create_directory(folder / "elsewhere");
+  std::filesystem::copy_file(folder / "s.png", folder / "elsewhere/COPY.PNG");
+  REQUIRE(run(folder, "parhelion view s.exr --overlay --layer sky.png --quiet").exit == 0);
+  const auto lines = samples(readPhotograph(folder / "sky.png"));
+  const auto check = [&](const std::string& picture, const std::string& scene) {
+    const Outcome outcome = run(folder, "parhelion view " + picture + " --overlay --layer lines.png");
+    CHECK_MESSAGE(outcome.exit == 0, outcome.err);
+    CHECK_MESSAGE(outcome.err.find("scene in " + scene + "\n") != std::string::npos, outcome.err);
+    CHECK(samples(readPhotograph(folder / "lines.png")) == lines);
+  };
+  check("s.png", "s.png");
+  check("elsewhere/COPY.PNG", "elsewhere/COPY.PNG");
+  // Its text lost, as messengers and photo sites do.
+  std::filesystem::copy_file(folder / "photo.png", folder / "s.png", std::filesystem::copy_options::overwrite_existing);
+  check("s.png", "s.exr");
+  std::filesystem::rename(folder / "s.exr", folder / "s.EXR");
+  check("s.png", "s.EXR");
+
+  REQUIRE(run(folder, "parhelion view s.EXR --reduce 2 -o half.png").exit == 0);
+  CHECK(run(folder, "parhelion view half.png --overlay -o v.png").exit == 0);
+  CHECK(readPhotograph(folder / "v.png").width == 48);
+}
+
+TEST_CASE("an overlay names what the scene's crystals make, or those that are asked for") {
+  WithSky folder;
+  std::set<std::vector<std::uint8_t>> different;
+  const auto lines = [&](const std::string& options) {
+    const Outcome outcome = run(folder, "parhelion view " + options + " --layer lines.png");
+    CHECK_MESSAGE(outcome.exit == 0, outcome.err);
+    different.insert(samples(readPhotograph(folder / "lines.png")));
+    return outcome.err;
+  };
+  CHECK(lines("s.exr --overlay").find("halos of the crystals in s.exr") != std::string::npos);
+  CHECK(lines("photo.png --overlay" + kCamera).find("photo.png has no scene") != std::string::npos);
+  writeFile(folder / "plates.toml", "[[population]]\nname = \"p\"\norientation = \"plate\"\n");
+  CHECK(lines("s.exr --overlay --scene plates.toml").find("crystals in plates.toml") != std::string::npos);
+  CHECK(different.size() == 3);
+  lines("s.exr --overlay --crystals plates");
+  CHECK(different.size() == 3);  // the same as those of the scene of plates
+  lines("s.exr --overlay --crystals plates,columns");
+  lines("s.exr --overlay --crystals plates --no-below-horizon");
+  CHECK(different.size() == 5);
 }
 
 TEST_CASE("side by side both pictures are treated alike") {

@@ -4,6 +4,8 @@
 #include "rendered_sky.h"
 
 using namespace parhelion::test;
+using parhelion::readPhotograph;
+using parhelion::writePhotograph;
 
 TEST_CASE("mistakes in a view are one clear complaint and exit 2") {
   WithSky folder;
@@ -50,8 +52,15 @@ TEST_CASE("mistakes in a view are one clear complaint and exit 2") {
       {"s.exr --sun-elevation 10 -o v.png", "without lines or --profile"},
       {"s.exr --sun 10,10 --overlay -o v.png", "goes without camera options"},
       {"s.exr --mask s.png -o v.png", "--mask"},
-      {"s.png --grid -o v.png", "--fov"},
-      {"s.png --profile p.csv", "--fov"},
+      {"photo.png --grid -o v.png", "--fov"},
+      {"photo.png --profile p.csv", "--fov"},
+      {"s.exr --crystals plates -o v.png", "--crystals: is for halos"},
+      {"s.exr --scene s.toml --grid -o v.png", "--scene: is for halos"},
+      {"s.exr --overlay --crystals plate -o v.png", "did you mean 'plates'"},
+      {"s.exr --overlay --crystals '' -o v.png", "plates, columns"},
+      {"s.exr --overlay --crystals plates, -o v.png", "plates, columns"},
+      {"s.exr --overlay --crystals plates --scene s.toml -o v.png", "both say whose halos"},
+      {"s.exr --below-horizon -o v.png", "--below-horizon: no lines"},
   };
   for (const auto& [options, says] : cases) {
     const Outcome outcome = run(folder, std::string("parhelion view ") + options);
@@ -68,6 +77,7 @@ TEST_CASE("pictures that cannot be read or do not fit are one clear line") {
   WithSky folder;
   writeFile(folder / "text.png", "no picture");
   REQUIRE(run(folder, "parhelion render s.toml --resolution 48x32 -o small.exr --quiet").exit == 0);
+  writePhotograph(folder / "plain.png", readPhotograph(folder / "small.png"), {});
   REQUIRE(run(folder,
               "parhelion render s.toml -D sun.elevation=23 -D camera.fov_horizontal=80 --rays 1k -o high.exr "
               "--quiet")
@@ -88,9 +98,9 @@ TEST_CASE("pictures that cannot be read or do not fit are one clear line") {
       {"map.exr -o v.png", 1, "R, G, B"},
       {"s.exr --minus small.exr -o v.png", 2, "different sizes"},
       {"s.exr --minus high.exr -o v.png", 2, "differ in sun.elevation (20 and 23), the camera's field of view"},
-      {"s.exr --beside small.png --overlay -o v.png", 2,
-       "small.png has no scene in it and is 48 x 32 pixels, the first picture 96 x 64 pixels"},
-      {"s.exr --beside small.png --profile p.csv", 2, "small.png has no scene in it and is 48 x 32 pixels"},
+      {"s.exr --beside plain.png --overlay -o v.png", 2,
+       "plain.png has no scene in it and is 48 x 32 pixels, the first picture 96 x 64 pixels"},
+      {"s.exr --beside plain.png --profile p.csv", 2, "plain.png has no scene in it and is 48 x 32 pixels"},
       {"s.exr --red-minus-blue --mask small.png -o v.png", 1,
        "small.png: the mask is 48 x 32 pixels, the picture 96 x 64 pixels"},
       {"s.exr --red-minus-blue --mask black.png -o v.png", 1, "black.png: the mask shows no sky"},

@@ -83,7 +83,8 @@ TEST_CASE("info of a photograph tells its size, lens, field of view and date, of
   CHECK(bare.out.find("--fov-horizontal") != std::string::npos);
   CHECK(bare.out.find('\x1b') == std::string::npos);
   CHECK(run(folder, "parhelion info s.png").out.find("Software: parhelion") != std::string::npos);
-  CHECK(run(folder, "parhelion info --scene s.png").err.find("holds no scene") != std::string::npos);
+  CHECK(run(folder, "parhelion info --scene bare.png").err.find("holds no scene") != std::string::npos);
+  CHECK(run(folder, "parhelion info --scene s.png").out == run(folder, "parhelion info --scene s.exr").out);
   REQUIRE(run(folder, "parhelion view s.exr -o v.png --quiet").exit == 0);
   CHECK(run(folder, "parhelion info --scene v.png").out == run(folder, "parhelion info --scene s.exr").out);
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <string>
 
 #include <doctest/doctest.h>
@@ -73,12 +74,41 @@ TEST_CASE("the rings of haloForms lie at the least deviations of their wedges") 
 TEST_CASE("the rings of pyramids lie where physics has them") {
   const std::pair<std::string, double> published[] = {{"9° halo", 8.953},   {"18° halo", 18.271}, {"20° halo", 19.905},
                                                       {"23° halo", 22.862}, {"24° halo", 23.819}, {"35° halo", 34.929}};
-  const std::vector<HaloCurve> rings = pyramidRings(radians(30), kIndex);
-  REQUIRE(rings.size() == std::size(published));
-  for (std::size_t i = 0; i < rings.size(); ++i) {
-    CHECK(rings[i].name == published[i].first);
-    CHECK(std::abs(fromSun(rings[i], 30).least - published[i].second) < kPublished);
+  const HaloMaker pyramids{HaloFamily::random, pyramidFaces()};
+  const HaloForms rings = haloForms(radians(30), kIndex, {&pyramids, 1});
+  CHECK(rings.curves.size() == std::size(published) + 2);  // those of prisms, too
+  for (const auto& [name, radius] : published) {
+    const HaloCurve& ring = curveAt(rings, name);
+    CHECK(std::abs(fromSun(ring, 30).least - radius) < kPublished);
+    CHECK(ring.family == HaloFamily::pyramids);
   }
+}
+
+TEST_CASE("crystals make only what their faces and their stance let them") {
+  const auto namesOf = [](HaloFamily family, std::vector<Vec3> faces, double sun) {
+    const HaloMaker maker{family, std::move(faces)};
+    std::set<std::string> names;
+    const HaloForms forms = haloForms(radians(sun), kIndex, {&maker, 1});
+    for (const HaloCurve& curve : forms.curves) names.insert(curve.name);
+    for (const HaloPoint& point : forms.points) names.insert(point.name);
+    return names;
+  };
+  using Names = std::set<std::string>;
+  CHECK(namesOf(HaloFamily::random, prismFaces(), 20) == Names{"22° halo", "46° halo"});
+  CHECK(namesOf(HaloFamily::plates, prismFaces(), 25) == Names{"parhelion", "subparhelion", "120° parhelion", "subsun",
+                                                               "parhelic circle", "circumzenithal arc", "Kern arc"});
+  // Basal faces alone mirror, prism faces alone have no arcs of 90 degree wedges.
+  CHECK(namesOf(HaloFamily::plates, {{0, 0, 1}, {0, 0, -1}}, 25) == Names{"subsun"});
+  std::vector<Vec3> sides = prismFaces();
+  sides.erase(sides.begin(), sides.begin() + 2);
+  CHECK(namesOf(HaloFamily::random, sides, 20) == Names{"22° halo"});
+  CHECK(namesOf(HaloFamily::columns, sides, 25) ==
+        Names{"upper tangent arc", "lower tangent arc", "subsun", "subhelic arc"});
+  CHECK(namesOf(HaloFamily::parry, prismFaces(), 50).count("lower suncave Parry arc") == 1);
+  CHECK(namesOf(HaloFamily::parry, prismFaces(), 5).count("lower suncave Parry arc") == 0);
+  CHECK(namesOf(HaloFamily::parry, prismFaces(), 5).count("upper sunvex Parry arc") == 1);
+  CHECK(namesOf(HaloFamily::parry, prismFaces(), 50).count("upper sunvex Parry arc") == 0);
+  CHECK(namesOf(HaloFamily::lowitz, prismFaces(), 20) == Names{"Lowitz arc"});
 }
 
 TEST_CASE("parhelia and subparhelia lie at Bravais' azimuth, and there are none with a sun above 60.75 degrees") {
@@ -165,7 +195,7 @@ TEST_CASE("the tangent arcs touch the 22 degree ring above and below the sun and
 TEST_CASE("the suncave Parry arc crosses the sun's vertical where Snell's law puts it") {
   for (const double sun : {1.0, 20.0, 40.0}) {
     CAPTURE(sun);
-    CHECK(std::abs(highestOverSun(curveAt(haloForms(radians(sun), kIndex), "Parry arc")) -
+    CHECK(std::abs(highestOverSun(curveAt(haloForms(radians(sun), kIndex), "upper suncave Parry arc")) -
                    degrees(theory::suncaveParry(kIndex, radians(sun)))) < kSampled);
   }
 }

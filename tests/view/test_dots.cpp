@@ -70,3 +70,9 @@ TEST_CASE("a dot of no size is refused") {
   CHECK_THROWS_AS(dots(tally, 0), std::invalid_argument);
   CHECK_THROWS_AS(dots(tally, kMaxDotSize + 1), std::invalid_argument);
 }
+
+TEST_CASE("dots grow with pictures that are looked at as a whole") {
+  CHECK(usualDotSize(emptyTally(64, 48)) == 1);
+  CHECK(usualDotSize(emptyTally(1599, 3000)) == 1);
+  CHECK(usualDotSize(emptyTally(2400, 2400)) == 3);
+}
