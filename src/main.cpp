@@ -5,8 +5,6 @@
 #include <exception>
 #include <new>
 #include <string>
-#include <string_view>
-#include <vector>
 
 #if defined(__SSE2__)
 #include <pmmintrin.h>
@@ -14,8 +12,8 @@
 #endif
 
 #include "cli/commands.h"
+#include "cli/complaint.h"
 #include "scene/scene_error.h"
-#include "scene/suggest.h"
 
 namespace {
 
@@ -25,20 +23,6 @@ void flushDenormals() {
   _MM_SET_FLUSH_ZERO_MODE(_MM_FLUSH_ZERO_ON);
   _MM_SET_DENORMALS_ZERO_MODE(_MM_DENORMALS_ZERO_ON);
 #endif
-}
-
-/// One line, with a suggestion where the first word is nearly a command.
-std::string complaint(const CLI::App* app, const CLI::Error& error) {
-  std::string text = "parhelion: error: " + std::string(error.what());
-  const auto words = app->remaining();
-  if (!words.empty()) {
-    std::vector<std::string_view> commands;
-    const auto subcommands = app->get_subcommands({});
-    for (const CLI::App* command : subcommands) commands.push_back(command->get_name());
-    text = "parhelion: error: unknown command '" + words.front() + "'";
-    if (const std::string hint = parhelion::didYouMean(words.front(), commands); !hint.empty()) text += "; " + hint;
-  }
-  return text + "\n(--help lists what there is)\n";
 }
 
 int run(int argc, char** argv) {

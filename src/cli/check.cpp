@@ -3,7 +3,7 @@
 
 #include "cli/commands.h"
 #include "cli/run_options.h"
-#include "scene/parse_scene.h"
+#include "cli/scene_input.h"
 
 namespace parhelion::cli {
 
@@ -19,7 +19,7 @@ int runCheck(const CheckOptions& options) {
   int exit = kDone;
   for (const std::string& path : options.scenes) {
     try {
-      loadScene(path, options.overrides);
+      loadSceneOf(path, options.overrides);
       std::printf("%s: ok\n", path.c_str());
     } catch (const SceneError& error) {
       std::fprintf(stderr, "%s\n", error.what());

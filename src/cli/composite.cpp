@@ -5,9 +5,10 @@
 #include <memory>
 
 #include "cli/commands.h"
+#include "cli/file_words.h"
 #include "cli/halo_options.h"
+#include "cli/outputs.h"
 #include "cli/photo_options.h"
-#include "cli/text_output.h"
 #include "parallel/threads.h"
 #include "photo/found_mask.h"
 #include "photo/sky_match.h"
@@ -57,18 +58,14 @@ void requireSense(const CompositeOptions& options) {
 
 /// All that will be written can be, and nothing is written over an input or another output.
 void requireAll(const CompositeOptions& options) {
-  std::vector<std::string> outputs{options.output, options.findsSky() ? options.foundMask().string() : "",
-                                   options.halo.run.stats};
-  const auto check = [&] {
-    for (const std::string& input : {options.photo, options.mask, options.halo.file()}) {
-      if (!input.empty()) requireOutputs(input, outputs);
-    }
-  };
-  check();
+  Files files{{options.photo, options.mask, options.halo.file()}, {options.output, options.halo.run.stats}};
+  if (options.findsSky()) files.outputs.push_back(options.foundMask());
+  if (options.findsSky() && !options.halo.run.overwrite) requireUnchangedMask(options.foundMask());
+  requireOutputs(files, options.halo.run.overwrite);
   if (options.layers.empty()) return;
   std::filesystem::create_directory(options.layers);
-  for (const std::filesystem::path& layer : editingFiles(options.layers)) outputs.push_back(layer.string());
-  check();
+  for (const std::filesystem::path& layer : editingFiles(options.layers)) files.outputs.push_back(layer);
+  requireOutputs(files, options.halo.run.overwrite);
 }
 
 SkyMask maskOf(const CompositeOptions& options, const Photograph& photograph, const PhotoCamera& camera) {
@@ -110,12 +107,13 @@ int runComposite(const CompositeOptions& options) {
   requireAll(options);
   const StopSignal stop;
   const bool quiet = options.halo.run.quiet;
+  requireFit(options.photo, Wanted::photograph);
+  if (!options.mask.empty()) requireFit(options.mask, Wanted::photograph);
   Photograph photograph = readPhotograph(options.photo, options.camera.rules());
   const PhotoCamera camera = options.camera.camera(photograph, options.photo, options.halo.sunElevation());
   say(camera.remarks, quiet);
 
   const SkyMask mask = maskOf(options, photograph, camera);
-  if (options.findsSky()) requireUnchangedMask(options.foundMask());
   const auto [halo, exit] = options.halo.make(camera, stop);
   const HaloStrength strength =
       haloStrength(strengthSettings(options), photograph, mask, camera.camera, camera.sunElevation, halo.lookup);
@@ -144,7 +142,8 @@ void addComposite(CLI::App& app, int& exit) {
   command->add_option("--mask", options->mask, "Where the sky is: a PNG, white for sky; found when left out")
       ->type_name("FILE");
   command->add_option("--mask-out", options->maskOutput, "Where to write the mask that was found; beside the output")
-      ->type_name("FILE");
+      ->type_name("FILE.png")
+      ->check(fileOfKind({".png"}, ".png"));
   command->add_flag("--all-sky", options->allSky, "Take all of the picture for sky");
   command->add_option("--strength", options->strength, "Linear samples per radiance (1/sr) of the halo")
       ->type_name("FACTOR")

@@ -2,6 +2,7 @@
 #include "cli/halo_options.h"
 
 #include "cli/commands.h"
+#include "cli/file_words.h"
 #include "cli/trace_watch.h"
 
 namespace parhelion::cli {
@@ -33,6 +34,7 @@ void HaloOptions::requireOne() const {
 }
 
 double HaloOptions::sunElevation() const {
+  if (!picture.empty()) requireFit(picture, Wanted::sky);
   return picture.empty() ? run.load().scene.sun.elevation : sunElevationIn(picture);
 }
 

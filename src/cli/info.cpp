@@ -2,12 +2,18 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 
 #include "cli/commands.h"
+#include "cli/info_photograph.h"
+#include "cli/scene_input.h"
 #include "picture/exr.h"
+#include "picture/file_kind.h"
+#include "picture/picture_text.h"
 #include "render/scene_attributes.h"
 #include "scene/describe.h"
 #include "scene/parse_scene.h"
+#include "scene/utf8.h"
 
 namespace parhelion::cli {
 
@@ -26,32 +32,40 @@ void printChannel(const Channel& channel) {
     greatest = std::max(greatest, sample);
     sum += sample;
   }
-  std::printf("channel %-12s min %-12g mean %-12g max %g\n", channel.name.c_str(), least,
+  std::printf("channel %-12s min %-12g mean %-12g max %g\n", printable(channel.name, kMostShown).c_str(), least,
               sum / static_cast<double>(channel.samples.size()), greatest);
 }
 
-int infoExr(const InfoOptions& options) {
-  const ExrFile exr = readExr(options.file, ExrColours::asStored);
-  const auto scene = exr.attributes.find(kSceneKey);
-  if (options.sceneOnly) {
-    if (scene == exr.attributes.end()) throw std::runtime_error(options.file + ": holds no scene");
-    std::fputs(scene->second.c_str(), stdout);
-    return kDone;
-  }
-  std::printf("%s: EXR, %d x %d\n", options.file.c_str(), exr.image.width, exr.image.height);
+int infoExr(const std::string& path) {
+  const ExrFile exr = readExr(path, ExrColours::asStored);
+  std::printf("%s: EXR, %d x %d\n", path.c_str(), exr.image.width, exr.image.height);
   for (const Channel& channel : exr.image.channels) printChannel(channel);
-  for (const auto& [key, value] : exr.attributes)
-    if (key != kSceneKey) std::printf("%s: %s\n", key.c_str(), value.c_str());
-  if (scene != exr.attributes.end()) {
-    std::printf("made from the scene (print it with --scene):\n");
-    std::fputs(describeScene(parseScene(scene->second, options.file).scene).c_str(), stdout);
+  printTexts(exr.attributes, path);
+  return kDone;
+}
+
+/// Prints the scene that a picture or a tally carries, without what would act on a terminal: no scene has that.
+int printScene(const std::string& path, const std::map<std::string, std::string>& text) {
+  const auto scene = text.find(kSceneKey);
+  if (scene == text.end()) throw std::runtime_error(path + ": holds no scene");
+  std::string shown;
+  for (std::size_t begin = 0; begin < scene->second.size();) {
+    const std::size_t end = std::min(scene->second.find('\n', begin), scene->second.size());
+    const std::string line = scene->second.substr(begin, end - begin);
+    shown += printable(line, line.size()) + "\n";
+    begin = end + 1;
   }
+  std::fputs(shown.c_str(), stdout);
   return kDone;
 }
 
 int runInfo(const InfoOptions& options) {
-  if (isExr(options.file)) return infoExr(options);
-  const LoadedScene loaded = loadScene(options.file);
+  const FileKind kind = kindOf(startOfFile(options.file));
+  if (kind.isPhotograph()) {
+    if (options.sceneOnly) return printScene(options.file, readPictureText(options.file));
+    return kind.family == FileKind::Family::exr ? infoExr(options.file) : infoPhotograph(options.file, kind);
+  }
+  const LoadedScene loaded = loadSceneOf(options.file);
   std::fputs((options.sceneOnly ? loaded.text : describeScene(loaded.scene)).c_str(), stdout);
   return kDone;
 }
@@ -60,8 +74,10 @@ int runInfo(const InfoOptions& options) {
 
 void addInfo(CLI::App& app, int& exit) {
   auto options = std::make_shared<InfoOptions>();
-  CLI::App* command = app.add_subcommand("info", "Say what a scene file or an EXR holds");
-  command->add_option("file", options->file, "A scene file, a picture or a tally")->required()->type_name("FILE");
+  CLI::App* command = app.add_subcommand("info", "Say what a scene, a picture, a tally or a photograph holds");
+  command->add_option("file", options->file, "A scene file, a picture, a tally or a photograph")
+      ->required()
+      ->type_name("FILE");
   command->add_flag("--scene", options->sceneOnly, "Print only the scene's text, ready to be rendered again");
   command->callback([options, &exit] { exit = runInfo(*options); });
 }

@@ -3,10 +3,13 @@
 #include <cstdio>
 
 #include "cli/commands.h"
+#include "cli/outputs.h"
 #include "cli/run_options.h"
+#include "cli/tables.h"
 #include "cli/text_output.h"
 #include "cli/trace_watch.h"
 #include "picture/exr.h"
+#include "picture/photograph.h"
 #include "render/measurements.h"
 #include "render/scene_attributes.h"
 
@@ -19,11 +22,11 @@ struct MapOptions {
   double step = 1.0;  // degrees
   std::string output = "-";
 
-  bool toExr() const { return output.ends_with(".exr"); }
+  bool toExr() const { return extensionOf(output) == ".exr"; }
 };
 
 std::string csv(const SkyMap& map) {
-  std::string text = "azimuth_deg,elevation_deg,energy,stderr\n";
+  std::string text = kMapColumns + std::string("\n");
   char line[120];
   for (int row = 0; row < map.rows(); ++row)
     for (int column = 0; column < map.columns(); ++column) {
@@ -36,7 +39,7 @@ std::string csv(const SkyMap& map) {
 
 int runMap(const MapOptions& options, int binsPerHalfTurn) {
   const LoadedScene loaded = options.run.load();
-  requireOutputs(options.run.scene, {options.output, options.run.stats});
+  requireOutputs({{options.run.scene}, {options.output, options.run.stats}}, options.run.overwrite);
   const StopSignal stop;
   TraceWatch watch(options.run, loaded.scene.trace.rays, stop);
   const TracedMap traced = traceMap(loaded.scene, binsPerHalfTurn, watch.control());
@@ -55,7 +58,7 @@ void addMap(CLI::App& app, int& exit) {
   CLI::App* command = app.add_subcommand("map", "Light over azimuth and elevation of the whole sphere, as CSV or EXR");
   options->run.addTo(*command, false);
   command->add_option("--step", options->step, "Size of a bin, degrees; 90 must be a multiple of it")
-      ->check(CLI::Range(0.01, 90.0));
+      ->check(number(0.01, 90.0));
   command->add_option("-o,--output", options->output, "CSV file, or EXR by its name; - for CSV on stdout")
       ->type_name("FILE");
   command->callback([options, &exit] {

@@ -2,12 +2,27 @@
 #include "cli/picture.h"
 
 #include <cstdio>
+#include <filesystem>
+#include <system_error>
 
+#include "cli/outputs.h"
 #include "cli/run_options.h"
 #include "math/names.h"
-#include "render/sky_files.h"
+#include "picture/atomic_file.h"
+#include "picture/photograph.h"
 
 namespace parhelion::cli {
+
+namespace {
+
+/// Of the EXR that is made from an input.
+std::filesystem::path ownName(const std::string& input) {
+  if (input == "-" || descriptorOf(input))
+    throw CLI::ValidationError("-o", "a scene from a pipe has no name to call the picture by; name an .exr");
+  return std::filesystem::path(input).filename().replace_extension(".exr");
+}
+
+}  // namespace
 
 void PictureOptions::addTo(CLI::App& command) {
   command
@@ -31,21 +46,29 @@ void addGamut(CLI::App& command, std::string& gamut) {
 
 Gamut gamutOf(const std::string& gamut) { return gamut.empty() ? Gamut::exact : valueOf<Gamut>(gamut); }
 
-std::filesystem::path PictureOptions::exr(const std::string& input) const {
-  const std::filesystem::path own = std::filesystem::path(input).filename().replace_extension(".exr");
-  if (output.empty()) return own;
-  if (output == "-") throw CLI::ValidationError("-o", "a picture is two files and cannot go to stdout");
-  std::filesystem::path path = output;
-  if (!path.has_filename() || std::filesystem::is_directory(path)) return path / own;
-  const std::string extension = path.extension().string();
+SkyFiles PictureOptions::files(const std::string& input) const {
+  // All of it is thrown away, as benchmarks want it.
+  if (isNull(output)) return {output, output, exposure, gamutOf(gamut)};
+  std::filesystem::path exr = output;
+  std::error_code none;
+  if (output.empty() || !exr.has_filename() || std::filesystem::is_directory(exr, none)) exr /= ownName(input);
+  const std::string extension = extensionOf(exr);
+  if (isStream(output) && extension.empty())
+    throw CLI::ValidationError("-o", "a picture is two files and cannot go to " +
+                                         (output == "-" ? std::string("stdout") : output) +
+                                         ", a pipe or device; name an .exr");
   if (!extension.empty() && extension != ".exr" && extension != ".png")
     throw CLI::ValidationError("-o", "a picture is an .exr with a .png beside it, not " + output);
-  return path.replace_extension(".exr");
+  // The file that was named keeps its name, also in capital letters.
+  std::filesystem::path png = exr;
+  if (extension != ".exr") exr.replace_extension(".exr");
+  if (extension != ".png") png.replace_extension(".png");
+  return {exr, png, exposure, gamutOf(gamut)};
 }
 
 void writePicture(ReconstructedSky sky, const TallyInfo& info, const LoadedScene& loaded, const PictureOptions& options,
                   const std::string& input, bool quiet) {
-  const SkyFiles files{options.exr(input), options.png(input), options.exposure, gamutOf(options.gamut)};
+  const SkyFiles files = options.files(input);
   const WrittenSky written = writeSkyFiles(files, std::move(sky.image), info, loaded);
   if (quiet) return;
   for (const std::string& remark : sky.remarks) std::fprintf(stderr, "recon: %s\n", remark.c_str());

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <filesystem>
 #include <optional>
+#include <string>
 
 #include <CLI/CLI.hpp>
 
 #include "picture/gamut.h"
 #include "recon/reconstruct.h"
+#include "render/sky_files.h"
 #include "scene/parse_scene.h"
 #include "sky/tally.h"
 
@@ -22,9 +23,9 @@ struct PictureOptions {
   void addTo(CLI::App& command);
 
   /// The EXR and the preview beside it, for input file `input`; in the folder `output` if that is one. Throws
-  /// CLI::ValidationError if `output` has another extension than .exr or .png.
-  std::filesystem::path exr(const std::string& input) const;
-  std::filesystem::path png(const std::string& input) const { return exr(input).replace_extension(".png"); }
+  /// CLI::ValidationError if `output` has another extension than .exr or .png, or is a pipe, which two files cannot go
+  /// to, and where there is no name to call them by.
+  SkyFiles files(const std::string& input) const;
 };
 
 /// Adds --gamut, which says what becomes of colours outside Rec.709, to a subcommand.

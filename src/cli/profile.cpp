@@ -4,8 +4,10 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/commands.h"
+#include "cli/outputs.h"
 #include "cli/run_options.h"
 #include "cli/stats.h"
+#include "cli/tables.h"
 #include "cli/text_output.h"
 #include "cli/trace_watch.h"
 #include "render/measurements.h"
@@ -22,7 +24,7 @@ struct ProfileOptions {
 };
 
 std::string csv(const ScatterProfile& profile) {
-  std::string text = "from_deg,to_deg,energy,stderr,phase\n";
+  std::string text = kProfileColumns + std::string("\n");
   char line[160];
   for (const ScatterProfile::Bin& bin : profile.bins()) {
     std::snprintf(line, sizeof line, "%.10g,%.10g,%.9g,%.4g,%.9g\n", tableDegrees(bin.from), tableDegrees(bin.to),
@@ -53,7 +55,7 @@ nlohmann::ordered_json json(const ScatterProfile::Summary& s) {
 
 int runProfile(const ProfileOptions& options) {
   const Scene scene = options.run.load().scene;
-  requireOutputs(options.run.scene, {options.output, options.summary, options.run.stats});
+  requireOutputs({{options.run.scene}, {options.output, options.summary, options.run.stats}}, options.run.overwrite);
   const StopSignal stop;
   TraceWatch watch(options.run, scene.trace.rays, stop);
   const TracedProfile traced =
@@ -73,8 +75,8 @@ void addProfile(CLI::App& app, int& exit) {
       "Light over the scattering angle, from each ray's own point of the sun, as CSV, and what follows from it");
   options->run.addTo(*command, false);
   command->add_option("--bins", options->bins, "Equal bins between --from and --to")->check(CLI::Range(1, 10'000'000));
-  command->add_option("--from", options->from, "First scattering angle, degrees")->check(CLI::Range(0.0, 180.0));
-  command->add_option("--to", options->to, "Last scattering angle, degrees")->check(CLI::Range(0.0, 180.0));
+  command->add_option("--from", options->from, "First scattering angle, degrees")->check(number(0.0, 180.0));
+  command->add_option("--to", options->to, "Last scattering angle, degrees")->check(number(0.0, 180.0));
   command->add_option("-o,--output", options->output, "CSV file; - for stdout")->type_name("FILE");
   command->add_option("--summary", options->summary, "JSON file of g, delta fraction, energy by order, mean path ...")
       ->type_name("FILE");

@@ -8,6 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/commands.h"
+#include "cli/file_words.h"
+#include "cli/outputs.h"
 #include "cli/picture.h"
 #include "cli/progress.h"
 #include "cli/run_options.h"
@@ -32,7 +34,7 @@ struct ReconOptions {
   std::string confidence, stats;
   std::string progress = "auto";  // "auto", "json"
   int threads = 0;
-  bool json = false, quiet = false;
+  bool json = false, quiet = false, overwrite = false;
 
   LoadedScene load(const Tally& traced) const {
     std::vector<std::string> all;
@@ -97,6 +99,7 @@ std::vector<Tally> readReferences(const ReconOptions& options, const Tally& tall
   const std::vector<std::string>& paths = options.references;
   std::vector<Tally> references;
   for (const std::string& path : paths) {
+    requireFit(path, Wanted::tally);
     references.push_back(readTallyExr(path));
     requireFitting(options.tally, path, [&] { requireReferencePair(tally.info, references.back().info); });
   }
@@ -165,15 +168,16 @@ void writeReconStats(const ReconOptions& options, const Tally& tally, std::strin
 }
 
 void requireOutputsOf(const ReconOptions& options, const std::string& name) {
-  std::vector<std::string> inputs = options.references;
-  inputs.push_back(options.tally);
+  Files files{options.references, {}};
+  files.inputs.push_back(options.tally);
   const std::string table = options.references.empty() ? "" : "-";
-  for (const std::string& input : inputs)
-    requireOutputs(input,
-                   {options.picture.exr(name), options.picture.png(name), options.confidence, options.stats, table});
+  const SkyFiles sky = options.picture.files(name);
+  files.outputs = {sky.exr, sky.png, options.confidence, options.stats, table};
+  requireOutputs(files, options.overwrite);
 }
 
 int runRecon(const ReconOptions& options) {
+  requireFit(options.tally, Wanted::tally);
   const Tally tally = readTallyExr(options.tally);
   const LoadedScene loaded = options.load(tally);
   // A tally is an EXR, too: the picture's name must differ.
@@ -202,10 +206,6 @@ std::string validOverride(const std::string& text) {
   return "the tally is traced already: only keys of recon can be overridden, not '" + text + "'";
 }
 
-std::string validPng(const std::string& text) {
-  return text.ends_with(".png") ? "" : "expected the name of a .png file, not '" + text + "'";
-}
-
 void addOptions(CLI::App& command, ReconOptions& options) {
   command.add_option("tally", options.tally, "A tally that trace has written")->required()->type_name("TALLY");
   command.add_option("--method", options.method, "How hits become an image; as the scene says when left out")
@@ -225,8 +225,9 @@ void addOptions(CLI::App& command, ReconOptions& options) {
   command
       .add_option("--confidence", options.confidence, "Picture of the relative standard error: white 1 %, black 100 %")
       ->type_name("FILE")
-      ->check(CLI::Validator(validPng, ""));
+      ->check(fileOfKind({".png"}, ".png"));
   command.add_option("--stats", options.stats, "Write the reconstruction's figures as JSON")->type_name("FILE");
+  addOverwrite(command, options.overwrite);
   command.add_option("--nthreads", options.threads, "Threads; as many as there are processors when left out")
       ->type_name("N")
       ->check(CLI::Range(1, 4096));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/commands.h"
+#include "cli/outputs.h"
 #include "cli/picture.h"
 #include "cli/run_options.h"
-#include "cli/text_output.h"
 #include "cli/trace_watch.h"
 #include "parallel/threads.h"
 #include "render/sky_files.h"
@@ -19,7 +19,8 @@ struct RenderOptions {
 int runRender(const RenderOptions& options) {
   const LoadedScene loaded = options.run.load();
   const std::string& scene = options.run.scene;
-  requireOutputs(scene, {options.picture.exr(scene), options.picture.png(scene), options.run.stats});
+  const SkyFiles files = options.picture.files(scene);
+  requireOutputs({{scene}, {files.exr, files.png, options.run.stats}}, options.run.overwrite);
   // Also while the picture is made, so that a late Ctrl-C does not lose what was traced.
   const StopSignal stop;
   TraceWatch watch(options.run, loaded.scene.trace.rays, stop);

@@ -5,6 +5,7 @@
 
 #include "cli/commands.h"
 #include "cli/run_options.h"
+#include "cli/scene_input.h"
 #include "math/rotation.h"
 #include "render/measurements.h"
 
@@ -103,7 +104,7 @@ void printPath(const LightPath& path, const std::string& population) {
 }
 
 int runReplay(const ReplayOptions& options) {
-  const Scene scene = loadScene(options.scene, options.overrides).scene;
+  const Scene scene = loadSceneOf(options.scene, options.overrides).scene;
   const Cloud cloud = cloudOf(scene);
   const LightPath path = replayRay(scene, cloud, options.ray);
   const std::string& population = cloud.populations()[path.incident.population].name();

@@ -4,6 +4,8 @@
 #include <charconv>
 #include <cstdio>
 
+#include "cli/outputs.h"
+#include "cli/scene_input.h"
 #include "scene/suggest.h"
 
 namespace parhelion::cli {
@@ -132,6 +134,7 @@ void RunOptions::addTracingTo(CLI::App& command, bool hasImage) {
   command.add_option("--progress", progress, "Progress as lines of JSON, for farms")
       ->check(CLI::IsMember({"auto", "json"}));
   command.add_option("--stats", stats, "Write the run's figures as JSON")->type_name("FILE");
+  addOverwrite(command, overwrite);
 }
 
 LoadedScene RunOptions::load(const std::vector<std::string>& more) const {
@@ -148,7 +151,8 @@ LoadedScene RunOptions::load(const std::vector<std::string>& more) const {
   }
   if (noGround) all.emplace_back("camera.horizon='cut'");
   all.insert(all.end(), more.begin(), more.end());
-  return loadScene(scene, all);
+  if (!sceneText_) sceneText_ = sceneTextOf(scene);
+  return parseSceneOf(scene, *sceneText_, all);
 }
 
 }  // namespace parhelion::cli

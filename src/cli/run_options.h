@@ -2,6 +2,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -27,6 +28,7 @@ struct RunOptions {
   bool quiet = false;
   std::string progress = "auto";  // "auto", "json"
   std::string stats;              // file for the run's figures; empty: none
+  bool overwrite = false;         // files, too, that parhelion has not written
 
   /// Adds the scene argument and the options to a subcommand.
   void addTo(CLI::App& command, bool hasImage);
@@ -36,6 +38,9 @@ struct RunOptions {
 
   /// The scene with all overrides applied, and then `more`. Throws SceneError.
   LoadedScene load(const std::vector<std::string>& more = {}) const;
+
+ private:
+  mutable std::optional<std::string> sceneText_;  // read once: a pipe gives it only once
 };
 
 /// Adds -D key=value, which overrides a key of the scene, to a subcommand.

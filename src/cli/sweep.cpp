@@ -3,9 +3,9 @@
 #include <cstdio>
 
 #include "cli/commands.h"
+#include "cli/outputs.h"
 #include "cli/picture.h"
 #include "cli/run_options.h"
-#include "cli/text_output.h"
 #include "cli/trace_watch.h"
 #include "render/sky_files.h"
 #include "render/sweep.h"
@@ -59,19 +59,17 @@ FrameNames frameNamesOf(const std::string& pattern) {
   }
 }
 
-/// The scene with the frame's own values after those of -D.
-LoadedScene loadFrame(RunOptions run, const std::vector<std::string>& own) {
-  run.overrides.insert(run.overrides.end(), own.begin(), own.end());
-  return run.load();
-}
-
 /// Throws before anything is rendered if something cannot be written.
 void requireOutputsOf(const SweepOptions& options, const std::vector<SweepFrame>& frames) {
   if (!options.contactSheet.empty() && frames.size() > kMaxSheetPictures)
     throw CLI::ValidationError("--contact-sheet", "a sheet holds at most " + std::to_string(kMaxSheetPictures) +
                                                       " frames, not " + std::to_string(frames.size()));
-  for (const SweepFrame& frame : frames)
-    requireOutputs(options.run.scene, {frame.exr, frame.png(), options.contactSheet});
+  Files files{{options.run.scene}, {options.contactSheet}};
+  for (const SweepFrame& frame : frames) {
+    files.outputs.push_back(frame.exr);
+    files.outputs.push_back(frame.png());
+  }
+  requireOutputs(files, options.run.overwrite);
 }
 
 /// Says how much there is to do and, for the first frame, why.
@@ -131,8 +129,9 @@ void reportWritten(const SweepOptions& options, const std::vector<SweepFrame>& f
 int runSweep(const SweepOptions& options) {
   const FrameNames names = frameNamesOf(options.output);
   const std::vector<std::vector<std::string>> values = valuesOf(options);
-  const FrameLoader load = [&](const std::vector<std::string>& own) { return loadFrame(options.run, own); };
-  const std::vector<SweepFrame> frames = planFrames(values, load, names, options.first, gamutOf(options.gamut));
+  const FrameLoader load = [&](const std::vector<std::string>& own) { return options.run.load(own); };
+  const std::vector<SweepFrame> frames =
+      planFrames(values, load, names, options.first, gamutOf(options.gamut), options.run.overwrite);
   requireOutputsOf(options, frames);
   if (!options.run.quiet) reportPlan(frames);
   const StopSignal stop;

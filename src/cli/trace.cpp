@@ -2,8 +2,8 @@
 #include <cstdio>
 
 #include "cli/commands.h"
+#include "cli/outputs.h"
 #include "cli/run_options.h"
-#include "cli/text_output.h"
 #include "cli/trace_watch.h"
 #include "sky/tally_exr.h"
 
@@ -18,12 +18,12 @@ struct TraceOptions {
 
 int runTrace(const TraceOptions& options) {
   const LoadedScene loaded = options.run.load();
-  requireOutputs(options.run.scene, {options.output, options.run.stats});
+  requireOutputs({{options.run.scene}, {options.output, options.run.stats}}, options.run.overwrite);
   const StopSignal stop;
   TraceWatch watch(options.run, loaded.scene.trace.rays, stop);
   const TracedSky traced = traceSky(loaded, cloudOf(loaded.scene), watch.control());
   const int exit = watch.report(traced);
-  writeTallyExr(options.output, traced.tally);
+  writeTallyExr(options.output == "-" ? "/dev/stdout" : options.output, traced.tally);
   if (!options.run.quiet) std::fprintf(stderr, "wrote %s\n", options.output.c_str());
   return exit;
 }
@@ -35,7 +35,7 @@ void addTrace(CLI::App& app, int& exit) {
   CLI::App* command =
       app.add_subcommand("trace", "Trace a scene into a tally EXR: exact sums a pixel, not yet a picture");
   options->run.addTo(*command, true);
-  command->add_option("-o,--output", options->output, "The tally")->type_name("FILE")->required();
+  command->add_option("-o,--output", options->output, "The tally, an EXR; - for stdout")->type_name("FILE")->required();
   command->callback([options, &exit] { exit = runTrace(*options); });
 }
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "cli/commands.h"
-#include "cli/text_output.h"
+#include "cli/outputs.h"
 #include "cli/view_input.h"
 #include "cli/view_options.h"
 #include "cli/view_profile.h"
@@ -269,10 +269,9 @@ void pictureView(const std::vector<ViewInput>& pictures, const ViewOptions& opti
 int runView(const ViewOptions& options) {
   options.requireSense();
   const auto outputs = {options.output, options.layer, options.profile, options.chart};
-  std::vector<std::string> inputs{options.input, options.minus, options.mask};
-  inputs.insert(inputs.end(), options.beside.begin(), options.beside.end());
-  for (const std::string& input : inputs)
-    if (!input.empty()) requireOutputs(input, outputs);
+  Files files{{options.input, options.minus, options.mask}, outputs};
+  files.inputs.insert(files.inputs.end(), options.beside.begin(), options.beside.end());
+  requireOutputs(files, options.overwrite);
   std::vector<ViewInput> pictures = readPictures(options);
   if (options.profile.empty())
     pictureView(pictures, options);

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "cli/file_words.h"
 #include "photo/sky_mask.h"
 #include "picture/auto_exposure.h"
 #include "picture/exr.h"
@@ -41,6 +42,7 @@ std::optional<std::string> ViewInput::scene() const {
 
 ViewInput readViewInput(const std::string& path, const PhotographRules& rules) {
   ViewInput input;
+  requireFit(path, Wanted::view);
   input.path = input.sceneFile = path;
   if (!isExr(path)) {
     input.photograph = readPhotograph(path, rules);
@@ -84,6 +86,7 @@ Shown show(const ViewInput& input, std::optional<double> exposure) {
 Image lightOf(ViewInput input) { return input.light ? std::move(*input.light) : linearImage(input.photograph); }
 
 std::vector<std::uint8_t> readMaskFor(const std::string& path, int width, int height) {
+  requireFit(path, Wanted::photograph);
   SkyMask mask = readSkyMask(path);
   if (mask.width != width || mask.height != height)
     throw std::runtime_error(path + ": the mask is " + sizeText(mask.width, mask.height) + ", the picture " +

@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "cli/number_list.h"
+#include "cli/outputs.h"
 #include "cli/run_options.h"
 #include "math/names.h"
 #include "view/dots.h"
@@ -149,6 +150,7 @@ void ViewOptions::addTo(CLI::App& command) {
   addLines(command, *this);
   addProfile(command, *this);
   command.add_flag("--quiet", quiet, "Nothing on stderr");
+  addOverwrite(command, overwrite);
   photo.addTo(command);
 }
 

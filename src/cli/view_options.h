@@ -25,7 +25,7 @@ struct ViewOptions {
   int reduction = 1;                     // pixels averaged in each direction
   std::optional<double> gain, exposure;  // exposure in stops
   PhotoOptions photo;
-  bool quiet = false;
+  bool quiet = false, overwrite = false;
 
   // Lines over the picture; angles in degrees.
   bool overlay = false, horizonLine = false, zenith = false, halos = false, labels = false;

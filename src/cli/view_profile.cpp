@@ -6,8 +6,10 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "cli/tables.h"
 #include "cli/text_output.h"
 #include "math/rotation.h"
+#include "render/scene_attributes.h"
 #include "view/chart.h"
 
 namespace parhelion::cli {
@@ -26,8 +28,8 @@ std::string columns(const SkyProfileBin& bin) {
 }
 
 std::string csv(const std::vector<Profile>& profiles) {
-  std::string text = "from_deg,to_deg,R,G,B,luminance,stderr,pixels";
-  if (profiles.size() == 2) text += ",R_other,G_other,B_other,luminance_other,stderr_other,pixels_other";
+  std::string text = kLightColumns;
+  if (profiles.size() == 2) text += kOtherLightColumns;
   text += "\n";
   char angles[80];
   for (std::size_t i = 0; i < profiles[0].size(); ++i) {
@@ -82,7 +84,7 @@ void writeProfile(const ViewOptions& options, std::vector<Observed> pictures, co
   }
   // The chart first: gnuplot may be missing, and then there is to be no table either.
   if (!options.chart.empty())
-    drawChart(options.chart, {"angle from the sun, degrees", "luminance, share of the greatest"}, curves);
+    drawChart(options.chart, {"angle from the sun, degrees", "luminance, share of the greatest"}, curves, kSoftware);
   writeText(options.profile, csv(profiles));
 }
 

@@ -48,7 +48,7 @@ void writeFoundMask(const std::filesystem::path& path, const SkyMask& mask, cons
 }
 
 void requireUnchangedMask(const std::filesystem::path& path) {
-  if (!std::filesystem::exists(path)) return;
+  if (!std::filesystem::is_regular_file(path)) return;
   const auto corrected = [&] {
     const Photograph picture = readPhotograph(path, {true});
     const auto sum = picture.text.find(kSumKey);
@@ -62,7 +62,7 @@ void requireUnchangedMask(const std::filesystem::path& path) {
   if (isTheirs)
     throw std::runtime_error(path.string() +
                              ": is there and is no mask as it was found; give it with --mask, or name another place "
-                             "for the one to be found with --mask-out");
+                             "for the one to be found with --mask-out, or say --overwrite");
 }
 
 }  // namespace parhelion

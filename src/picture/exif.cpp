@@ -9,7 +9,7 @@
 namespace parhelion {
 namespace {
 
-// Only names of makers and models are read; longer ones are not names.
+// Only names of makers and models and dates are read; longer ones are none.
 constexpr std::size_t kMaxText = 64;
 
 constexpr std::size_t kHeaderBytes = 8;  // byte order, the number 42, offset of the first directory
@@ -121,12 +121,13 @@ std::string textIn(const Block& block, const Field& field) {
   return text;
 }
 
-/// Fields of the picture itself: make, model and how it was held. Returns where the Exif directory is.
+/// Fields of the picture itself: make, model, date and how it was held. Returns where the Exif directory is.
 std::optional<std::size_t> readPicture(const Block& block, std::size_t at, Exif& exif) {
   std::optional<std::size_t> exifAt;
   for (const Field& field : directoryAt(block, at)) {
     if (field.tag == 0x010F) exif.make = textIn(block, field);
     if (field.tag == 0x0110) exif.model = textIn(block, field);
+    if (field.tag == 0x0132) exif.taken = textIn(block, field);
     if (field.tag == 0x0112) {
       const int orientation = integerIn(block, field).value_or(1);
       exif.orientation = orientation >= 1 && orientation <= 8 ? orientation : 1;
@@ -189,10 +190,13 @@ void readInteroperability(const Block& block, std::size_t at, Exif& exif) {
   addSize(exif.sizesTaken, width, height);
 }
 
-/// Fields of the Exif directory: the lens and the sensor.
+/// Fields of the Exif directory: the date, the lens and the sensor.
 void readCamera(const Block& block, std::size_t at, Exif& exif) {
   for (const Field& field : directoryAt(block, at)) {
     switch (field.tag) {
+      case 0x9003:
+        exif.taken = textIn(block, field);
+        break;
       case 0x920A:
         exif.focalLength = numberIn(block, field);
         break;

@@ -29,6 +29,7 @@ struct Exif {
   std::optional<int> pixelWidth;          // tag 0xA002, of the stored picture as it left the camera
   std::optional<int> pixelHeight;         // tag 0xA003
   std::string make, model;                // tags 0x010F, 0x0110
+  std::string taken;  // tag 0x9003 or, without it, 0x0132: "2024:01:31 12:00:00" by the camera's clock
 
   // The size of the stored picture as it left the camera, where programs that scale pictures do not look: in the
   // maker's note (of Canon and Sony) and in the interoperability directory (tags 0x1001, 0x1002).

@@ -108,6 +108,12 @@ StoredPicture readJpeg(const std::filesystem::path& path) {
   return stored;
 }
 
+std::string readJpegComments(const std::filesystem::path& path) {
+  std::string all;
+  for (const std::string& comment : walkJpeg(fileBytes(path)).comments) all += (all.empty() ? "" : "\n") + comment;
+  return all;
+}
+
 void writeJpeg(const std::filesystem::path& path, int width, int height, const std::vector<std::uint8_t>& rgb,
                std::string_view comment) {
   constexpr int kQuality = 95;

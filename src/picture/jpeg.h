@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -14,6 +15,10 @@ namespace parhelion {
 /// marker are passed over, as many photographs have them. Throws std::runtime_error "path: reason" for anything else
 /// that is wrong with it.
 StoredPicture readJpeg(const std::filesystem::path& path);
+
+/// Its comments, a line each. Nothing where it is damaged before them. Throws std::runtime_error "path: reason" where
+/// the file cannot be read.
+std::string readJpegComments(const std::filesystem::path& path);
 
 /// Writes 8-bit sRGB triples, row-major, as a baseline JPEG: quality 95, no chroma subsampling, an ICC profile of sRGB,
 /// and the comment unless it is empty. In one piece or not at all. Throws std::runtime_error "path: reason".

@@ -78,8 +78,12 @@ JBLOCKROW rowOf(jpeg_decompress_struct* source, Failure* failure, jvirt_barray_p
   return source->mem->access_virt_barray(reinterpret_cast<j_common_ptr>(source), array, y, 1, TRUE)[0];
 }
 
+bool isText(const jpeg_marker_struct& marker, std::string_view text) {
+  return marker.data_length == text.size() && std::equal(text.begin(), text.end(), marker.data);
+}
+
 bool writeAll(jpeg_decompress_struct* source, jpeg_compress_struct* target, Failure* failure,
-              jpeg_destination_mgr* destination, jvirt_barray_ptr* arrays) {
+              jpeg_destination_mgr* destination, jvirt_barray_ptr* arrays, std::string_view comment) {
   if (setjmp(failure->jump)) return false;
   jpeg_create_compress(target);
   target->dest = destination;
@@ -91,6 +95,11 @@ bool writeAll(jpeg_decompress_struct* source, jpeg_compress_struct* target, Fail
   jpeg_write_coefficients(target, arrays);
   for (jpeg_saved_marker_ptr m = source->marker_list; m; m = m->next) {
     jpeg_write_marker(target, m->marker, m->data, m->data_length);
+    if (m->marker == JPEG_COM && isText(*m, comment)) comment = {};
+  }
+  if (!comment.empty()) {
+    jpeg_write_marker(target, JPEG_COM, reinterpret_cast<const JOCTET*>(comment.data()),
+                      static_cast<unsigned>(comment.size()));
   }
   jpeg_finish_compress(target);
   return true;
@@ -165,7 +174,7 @@ std::int16_t* JpegCoefficients::row(std::size_t component, int y) {
   return blocks[0];
 }
 
-void JpegCoefficients::write(AtomicFile& file) {
+void JpegCoefficients::write(AtomicFile& file, std::string_view comment) {
   const auto destination = std::make_unique<Destination>();
   destination->manager.init_destination = onStart;
   destination->manager.empty_output_buffer = onFull;
@@ -174,7 +183,7 @@ void JpegCoefficients::write(AtomicFile& file) {
   jpeg_compress_struct target{};
   target.err = &library_->failure.manager;
   const bool complete =
-      writeAll(&library_->source, &target, &library_->failure, &destination->manager, library_->arrays);
+      writeAll(&library_->source, &target, &library_->failure, &destination->manager, library_->arrays, comment);
   jpeg_destroy_compress(&target);
   if (!complete) throw library_->error(path_);
 }

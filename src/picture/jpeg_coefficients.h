@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <string_view>
 #include <vector>
 
 #include "picture/atomic_file.h"
@@ -38,10 +39,11 @@ class JpegCoefficients {
   /// The blocks of a row one after the other, 64 coefficients each in the order of `steps`.
   std::int16_t* row(std::size_t component, int y);
 
-  /// Writes the markers (APPn and COM) as they were, in their order, and the picture with the tables and sampling it
-  /// had, progressive if it was, with Huffman codes made for it and without restart markers. Throws std::runtime_error
-  /// "path: reason" with the path of the original. Errors of the file come out at its commit().
-  void write(AtomicFile& file);
+  /// Writes the markers (APPn and COM) as they were, in their order, behind them the comment unless it is empty or
+  /// there already, and the picture with the tables and sampling it had, progressive if it was, with Huffman codes made
+  /// for it and without restart markers. Throws std::runtime_error "path: reason" with the path of the original. Errors
+  /// of the file come out at its commit().
+  void write(AtomicFile& file, std::string_view comment);
 
  private:
   struct Library;

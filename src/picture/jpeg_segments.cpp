@@ -13,7 +13,7 @@ using Bytes = std::span<const std::uint8_t>;
 
 // Markers, the byte after 0xFF (ITU-T T.81, table B.1).
 constexpr int kRestart0 = 0xD0, kRestart7 = 0xD7, kStart = 0xD8, kEnd = 0xD9, kTemporary = 0x01;
-constexpr int kApp1 = 0xE1, kApp2 = 0xE2;
+constexpr int kApp1 = 0xE1, kApp2 = 0xE2, kComment = 0xFE;
 
 bool isFrame(int marker) {
   constexpr int kHuffmanTables = 0xC4, kExtension = 0xC8, kArithmeticTables = 0xCC;
@@ -103,6 +103,7 @@ JpegSegments walkJpeg(Bytes jpeg) {
     if (marker == kApp1 && found.exif.empty() && startsWith(*segment, kExif)) {
       found.exif.assign(segment->begin() + kExif.size(), segment->end());
     }
+    if (marker == kComment) found.comments.emplace_back(segment->begin(), segment->end());
     if (marker == kApp2 && startsWith(*segment, kProfile)) profile.add(segment->subspan(kProfile.size()));
   }
   found.damagedProfile = !profile.parts.empty() && !profile.whole();

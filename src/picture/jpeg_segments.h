@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace parhelion {
@@ -25,8 +26,9 @@ struct JpegSegments {
   std::optional<JpegFrame> frame;     // none if there is none, or it is damaged
   std::vector<std::uint8_t> exif;     // what follows "Exif\0\0" in the first APP1 of that kind
   std::vector<std::uint8_t> profile;  // the ICC profile, put together from its APP2 segments
-  bool damagedProfile = false;        // parts of the profile are missing
-  bool complete = false;              // there is an end of the image
+  std::vector<std::string> comments;
+  bool damagedProfile = false;  // parts of the profile are missing
+  bool complete = false;        // there is an end of the image
 };
 
 /// Walks through the marker segments of a JPEG; stays inside `jpeg` whatever they say.

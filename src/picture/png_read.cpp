@@ -94,6 +94,11 @@ class PngReader {
   PngReader(const PngReader&) = delete;
   PngReader& operator=(const PngReader&) = delete;
 
+  std::map<std::string, std::string> readText() {
+    if (!readInfo(png_, info_, &source_)) fail();
+    return text();
+  }
+
   StoredPicture read() {
     if (!readInfo(png_, info_, &source_)) fail();
     requirePlausible();
@@ -188,5 +193,7 @@ class PngReader {
 }  // namespace
 
 StoredPicture readPng(const std::filesystem::path& path) { return PngReader(path).read(); }
+
+std::map<std::string, std::string> readPngText(const std::filesystem::path& path) { return PngReader(path).readText(); }
 
 }  // namespace parhelion

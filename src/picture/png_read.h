@@ -2,6 +2,8 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
+#include <string>
 
 #include "picture/stored_picture.h"
 
@@ -10,5 +12,8 @@ namespace parhelion {
 /// Reads a PNG of any kind as RGB, or RGBA where it has alpha or a transparent colour: 16 bits if it has them, else 8.
 /// Text chunks go into `text`. Throws std::runtime_error "path: reason" for whatever is wrong with it.
 StoredPicture readPng(const std::filesystem::path& path);
+
+/// The text chunks that it has before its pixels. Throws as readPng does if it is damaged so early.
+std::map<std::string, std::string> readPngText(const std::filesystem::path& path);
 
 }  // namespace parhelion

@@ -30,7 +30,7 @@ Text textOf(const ExrAttributes& attributes, const Vec3& perRadiance) {
   char strength[100];
   std::snprintf(strength, sizeof strength, "%.9g %.9g %.9g", perRadiance.x, perRadiance.y, perRadiance.z);
   text[kStrengthKey] = strength;
-  text["Software"] = text["software"];
+  text["Software"] = text["software"] = kSoftware;  // also where another version has made the halo
   return text;
 }
 
@@ -61,7 +61,7 @@ AddedHaloReport writePicture(const CompositeFiles& files, Photograph& photograph
   if (kind == ".exr" && codes) return done;
   if (kind != ".jpg" && kind != ".jpeg") {
     writePhotograph(files.output, photograph, text, envmap);
-  } else if (!writePatchedJpeg(files.output, files.photo, photograph)) {
+  } else if (!writePatchedJpeg(files.output, files.photo, photograph, text.at("Software"))) {
     writePhotograph(files.output, photograph, text);
   }
   return done;

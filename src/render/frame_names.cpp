@@ -3,6 +3,8 @@
 
 #include <stdexcept>
 
+#include "picture/photograph.h"
+
 namespace parhelion {
 
 namespace {
@@ -34,7 +36,7 @@ FrameNames::FrameNames(const std::string& pattern) {
     i = end;
   }
   if (!numbered) refusePattern(pattern, expected);
-  if (!after_.ends_with(".exr")) refusePattern(pattern, "frames are .exr, each with a .png beside it");
+  if (extensionOf("frame" + after_) != ".exr") refusePattern(pattern, "frames are .exr, each with a .png beside it");
 }
 
 std::filesystem::path FrameNames::operator()(std::size_t number) const {

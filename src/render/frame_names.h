@@ -11,7 +11,7 @@ namespace parhelion {
 /// sign.
 class FrameNames {
  public:
-  /// Throws std::invalid_argument unless the pattern has its one number and ends in .exr.
+  /// Throws std::invalid_argument unless the pattern has its one number and ends in .exr, in small or capital letters.
   explicit FrameNames(const std::string& pattern);
 
   std::filesystem::path operator()(std::size_t number) const;

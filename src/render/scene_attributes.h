@@ -15,6 +15,9 @@ inline constexpr const char* kSoftware = "parhelion " PARHELION_VERSION;
 inline constexpr const char* kSceneKey = "parhelion:scene";
 inline constexpr const char* kStrengthKey = "parhelion:strength";
 
+/// Tallies alone have this attribute.
+inline constexpr const char* kTallyKey = "parhelion:tally";
+
 /// Under this an EXR of ours says that colours outside Rec.709 have been changed, and how (picture/gamut.h).
 inline constexpr const char* kGamutKey = "parhelion:gamut";
 

@@ -31,9 +31,10 @@ struct SweepFrame {
 using FrameLoader = std::function<LoadedScene(const std::vector<std::string>& values)>;
 
 /// The frames in order, numbered from `first`, each with its scene validated, and its file looked at if there is one.
-/// Throws SceneError for the first scene that cannot be used, and std::runtime_error for a file in the place of a frame
-/// or its preview that no render has written: it must not be written over.
+/// Throws SceneError for the first scene that cannot be used, and, unless `overwrite`, std::runtime_error for a file in
+/// the place of a frame or its preview that no render has written.
 std::vector<SweepFrame> planFrames(std::span<const std::vector<std::string>> values, const FrameLoader& load,
-                                   const FrameNames& names, std::size_t first, Gamut gamut = Gamut::exact);
+                                   const FrameNames& names, std::size_t first, Gamut gamut = Gamut::exact,
+                                   bool overwrite = false);
 
 }  // namespace parhelion

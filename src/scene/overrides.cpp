@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "scene/schema.h"
 #include "scene/suggest.h"
 #include "scene/text_guard.h"
 #include "scene/utf8.h"
@@ -49,6 +50,8 @@ class Override {
       if (segment.text.empty()) return complain(segment.source, "a key is missing here; an override is key.path=value");
     }
     if (segments.size() > kMaxSegments) return complain(regionOf(0, equals), "no key of a scene lies so deep");
+    if (const std::string hint = populationHint(scene, segments); !hint.empty())
+      return complain(segments.front().source, std::string("unknown key '").append(segments.front().text) + "'", hint);
 
     toml::node* parent = &scene;
     for (std::size_t i = 0; parent && i + 1 < segments.size(); ++i) parent = descend(*parent, segments[i]);
@@ -77,6 +80,22 @@ class Override {
       begin = end + 1;
     }
     return segments;
+  }
+
+  /// "did you mean 'population.plates.tilt'?" where the path begins with the name of a population, or nearly so.
+  static std::string populationHint(const toml::table& scene, const std::vector<Segment>& segments) {
+    const toml::array* populations = scene["population"].as_array();
+    if (!populations || isTable(segments.front().text)) return {};
+    std::vector<std::string> paths;
+    for (const toml::node& node : *populations) {
+      const toml::table* population = node.as_table();
+      const auto name = population ? (*population)["name"].value<std::string>() : std::nullopt;
+      if (!name || didYouMean(segments.front().text, std::vector<std::string_view>{*name}).empty()) continue;
+      paths.push_back("population." + *name);
+      for (auto segment = segments.begin() + 1; segment != segments.end(); ++segment)
+        paths.back().append(".").append(segment->text);
+    }
+    return paths.empty() ? "" : "did you mean '" + paths.front() + "'?";
   }
 
   /// The value as a TOML document in which it has the same column as in the override.

@@ -73,7 +73,7 @@ std::string serialised(const toml::table& root) {
 
 }  // namespace
 
-LoadedScene loadScene(const std::filesystem::path& path, std::span<const std::string> overrides) {
+std::string readSceneText(const std::filesystem::path& path) {
   std::error_code status;
   if (!std::filesystem::exists(path, status) && !status) throwFileError(path.string(), "no such file");
 
@@ -85,7 +85,11 @@ LoadedScene loadScene(const std::filesystem::path& path, std::span<const std::st
     throw std::runtime_error(path.string() + ": " + std::generic_category().message(errno != 0 ? errno : EIO));
   }
   text.resize(static_cast<std::size_t>(file.gcount()));
-  return parseScene(text, path.string(), overrides);
+  return text;
+}
+
+LoadedScene loadScene(const std::filesystem::path& path, std::span<const std::string> overrides) {
+  return parseScene(readSceneText(path), path.string(), overrides);
 }
 
 LoadedScene parseScene(std::string_view text, std::string_view fileName, std::span<const std::string> overrides) {

@@ -18,10 +18,13 @@ struct LoadedScene {
       text;  // TOML that alone gives the same scene: the user's own text, or the source with the overrides in it
 };
 
+/// The text of a scene, from a file or a pipe: one byte more than parseScene() takes at the most. Throws SceneError
+/// where no such file exists, std::runtime_error "path: reason" where it is there and cannot be read.
+std::string readSceneText(const std::filesystem::path& path);
+
 /// Reads and validates a scene file. Each override is "key.path=value" ("sun.elevation=25", "population.0.tilt=2",
 /// "population.plates.tilt=2"): the value is TOML or, where it is not, a bare string; overrides apply in order.
-/// Throws SceneError with all that is wrong (also where no such file exists), std::runtime_error "path: reason" where
-/// the file is there and cannot be read.
+/// Throws SceneError with all that is wrong, and as readSceneText() does.
 LoadedScene loadScene(const std::filesystem::path& path, std::span<const std::string> overrides = {});
 
 /// The same for TOML in memory; `fileName` is what errors call it. UTF-8, with or without a byte order mark.

@@ -14,14 +14,18 @@ Json schemaOfScenes() {
   return schema;
 }
 
+const Json& tables() {
+  static const Json kTables = schemaOfScenes()["properties"];
+  return kTables;
+}
+
 }  // namespace
 
 std::string sceneSchema() { return schemaOfScenes().dump(2) + '\n'; }
 
 std::string tablesWithKey(std::string_view key) {
-  static const Json kTables = schemaOfScenes()["properties"];
   std::string list;
-  for (const auto& [name, table] : kTables.items()) {
+  for (const auto& [name, table] : tables().items()) {
     const bool isList = table["type"] == "array";
     const Json& properties = (isList ? table["items"] : table)["properties"];
     if (!properties.contains(std::string(key))) continue;
@@ -30,5 +34,7 @@ std::string tablesWithKey(std::string_view key) {
   }
   return list;
 }
+
+bool isTable(std::string_view name) { return tables().contains(std::string(name)); }
 
 }  // namespace parhelion

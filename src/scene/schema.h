@@ -12,4 +12,7 @@ std::string sceneSchema();
 /// The tables that have this key, as users write them: "[sun] or [camera]"; empty where none has.
 std::string tablesWithKey(std::string_view key);
 
+/// Whether a scene has a table of that name: "camera".
+bool isTable(std::string_view name);
+
 }  // namespace parhelion

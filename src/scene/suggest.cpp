@@ -24,6 +24,30 @@ int editDistance(std::string_view a, std::string_view b) {
   return last[b.size()];
 }
 
+namespace {
+
+constexpr std::size_t kLeastPart = 3;  // letters; fewer are in many names
+
+/// Whether the word is how the name begins, or one of its parts: "fov" and "horizontal" of "fov_horizontal".
+bool isPartOf(std::string_view word, std::string_view name) {
+  if (word.size() < kLeastPart) return false;
+  const auto isDash = [&](std::size_t at) { return at >= name.size() || name[at] == '_' || name[at] == '-'; };
+  const std::size_t at = name.find(word);
+  return at == 0 || (at != std::string_view::npos && isDash(at - 1) && isDash(at + word.size()));
+}
+
+/// "'a', 'b' or 'c'"; nothing of nothing.
+std::string alternatives(const std::vector<std::string_view>& names) {
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (i > 0) text += i + 1 == names.size() ? " or " : ", ";
+    text.append("'").append(names[i]).append("'");
+  }
+  return text;
+}
+
+}  // namespace
+
 std::string didYouMean(std::string_view word, std::span<const std::string_view> accepted) {
   std::string_view closest;
   int closestDistance = 0;
@@ -37,7 +61,11 @@ std::string didYouMean(std::string_view word, std::span<const std::string_view> 
       closestDistance = distance;
     }
   }
-  return closest.empty() ? "" : std::string("did you mean '").append(closest) + "'?";
+  std::vector<std::string_view> meant;
+  if (!closest.empty()) meant = {closest};
+  for (const std::string_view name : accepted)
+    if (closest.empty() && isPartOf(word, name)) meant.push_back(name);
+  return meant.empty() ? "" : "did you mean " + alternatives(meant) + "?";
 }
 
 }  // namespace parhelion

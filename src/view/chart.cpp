@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "view/chart.h"
 
+#include <cairo.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -9,6 +10,7 @@
 #include <array>
 #include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <memory>
 #include <stdexcept>
 #include <string_view>
@@ -16,6 +18,7 @@
 
 #include "picture/atomic_file.h"
 #include "picture/photograph.h"
+#include "picture/png.h"
 
 namespace parhelion {
 namespace {
@@ -110,14 +113,54 @@ std::string gnuplot(const std::string& commands) {
   return picture;
 }
 
+/// Gives cairo the next bytes of a string.
+cairo_status_t nextBytes(void* closure, unsigned char* data, unsigned count) {
+  auto& rest = *static_cast<std::string_view*>(closure);
+  if (rest.size() < count) return CAIRO_STATUS_READ_ERROR;
+  std::copy_n(rest.begin(), count, data);
+  rest.remove_prefix(count);
+  return CAIRO_STATUS_SUCCESS;
+}
+
+/// The pixels of a PNG without transparency.
+Preview pixelsOf(std::string_view png) {
+  const std::unique_ptr<cairo_surface_t, void (*)(cairo_surface_t*)> surface(
+      cairo_image_surface_create_from_png_stream(nextBytes, &png), cairo_surface_destroy);
+  if (cairo_surface_status(surface.get()) != CAIRO_STATUS_SUCCESS)
+    throw std::runtime_error("gnuplot failed: it gave no picture");
+  Preview picture;
+  picture.width = cairo_image_surface_get_width(surface.get());
+  picture.height = cairo_image_surface_get_height(surface.get());
+  const int stride = cairo_image_surface_get_stride(surface.get());
+  for (int y = 0; y < picture.height; ++y) {
+    const unsigned char* const row =
+        cairo_image_surface_get_data(surface.get()) + static_cast<std::ptrdiff_t>(y) * stride;
+    for (int x = 0; x < picture.width; ++x) {
+      std::uint32_t pixel = 0;  // alpha, R, G, B from the highest byte on
+      std::memcpy(&pixel, row + 4 * x, sizeof pixel);
+      for (const int shift : {16, 8, 0}) picture.rgb.push_back(static_cast<std::uint8_t>(pixel >> shift));
+    }
+  }
+  return picture;
+}
+
+void writeSvg(const std::filesystem::path& path, const std::string& svg, const std::string& software) {
+  AtomicFile file(path);
+  const std::size_t declaration = svg.find('\n') + 1;
+  file.write(svg.substr(0, declaration) + "<!-- " + software + " -->\n" + svg.substr(declaration));
+  file.commit();
+}
+
 }  // namespace
 
-void drawChart(const std::filesystem::path& path, const ChartAxes& axes, std::span<const ChartCurve> curves) {
+void drawChart(const std::filesystem::path& path, const ChartAxes& axes, std::span<const ChartCurve> curves,
+               const std::string& software) {
   if (std::all_of(curves.begin(), curves.end(), [](const ChartCurve& curve) { return curve.points.empty(); }))
     throw std::invalid_argument("a chart needs a point at least");
-  AtomicFile file(path);
-  file.write(gnuplot(script(extensionOf(path), axes, curves)));
-  file.commit();
+  const std::string extension = extensionOf(path);
+  const std::string picture = gnuplot(script(extension, axes, curves));
+  if (extension == ".svg") return writeSvg(path, picture, software);
+  writePng(path, pixelsOf(picture), {{"Software", software}});
 }
 
 }  // namespace parhelion

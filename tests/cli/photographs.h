@@ -71,17 +71,19 @@ inline std::string tiffEntry(unsigned tag, unsigned type, unsigned value) {
   return bytes(tag, 2) + bytes(type, 2) + bytes(1, 4) + bytes(value, 4);
 }
 
-/// Writes a JPEG whose Exif tells orientation (1 to 8) and the 35 mm equivalent of its focal length (mm); `stored` is
-/// the picture as the file holds it.
+/// Writes a JPEG whose Exif tells orientation (1 to 8), the 35 mm equivalent of its focal length (mm) and that it was
+/// taken at 2024:01:31 12:00:00; `stored` is the picture as the file holds it.
 inline void writeJpegWithExif(const std::filesystem::path& path, const Photograph& stored, unsigned orientation,
                               unsigned focal35mm) {
   writePhotograph(path, stored, {});
   const std::string jpeg = readFile(path);
   constexpr unsigned kDirectory = 8, kEntry = 12;
   const unsigned sub = kDirectory + 2 + 2 * kEntry + 4;
+  const std::string date("2024:01:31 12:00:00\0", 20);
   const std::string tiff = "II" + bytes(42, 2) + bytes(kDirectory, 4) + bytes(2, 2) +
-                           tiffEntry(0x0112, 3, orientation) + tiffEntry(0x8769, 4, sub) + bytes(0, 4) + bytes(1, 2) +
-                           tiffEntry(0xA405, 3, focal35mm) + bytes(0, 4);
+                           tiffEntry(0x0112, 3, orientation) + tiffEntry(0x8769, 4, sub) + bytes(0, 4) + bytes(2, 2) +
+                           bytes(0x9003, 2) + bytes(2, 2) + bytes(static_cast<unsigned>(date.size()), 4) +
+                           bytes(sub + 2 + 2 * kEntry + 4, 4) + tiffEntry(0xA405, 3, focal35mm) + bytes(0, 4) + date;
   const std::string body = std::string("Exif\0\0", 6) + tiff;
   const unsigned length = static_cast<unsigned>(body.size()) + 2;
   std::string segment = "\xFF\xE1";

@@ -114,4 +114,40 @@ TEST_CASE("a pipe is written to directly") {
   CHECK(std::filesystem::is_fifo(path));
 }
 
+TEST_CASE("a pipe gets nothing without a commit, and what was written out of order comes in order") {
+  const TemporaryDirectory directory;
+  const auto path = directory / "pipe";
+  REQUIRE(::mkfifo(path.c_str(), 0600) == 0);
+  const int reader = ::open(path.c_str(), O_RDONLY | O_NONBLOCK);
+  { AtomicFile(path).write("half of"); }
+  AtomicFile file(path);
+  file.write("halo ......");
+  file.seek(5);
+  file.write("22");
+  file.commit();
+  char text[32] = {};
+  CHECK(::read(reader, text, 31) == 11);
+  CHECK(std::string(text) == "halo 22....");
+  ::close(reader);
+}
+
+TEST_CASE("an open file goes on where it is, also through links") {
+  const TemporaryDirectory directory;
+  put(directory / "log", "before ");
+  const int log = ::open((directory / "log").c_str(), O_WRONLY | O_APPEND);
+  REQUIRE(log >= 0);
+  const std::string name = "/dev/fd/" + std::to_string(log);
+  std::filesystem::create_symlink(name, directory / "link");
+  for (const std::filesystem::path& path : {std::filesystem::path(name), directory / "link"}) {
+    CHECK(descriptorOf(path) == log);
+    AtomicFile file(path);
+    file.write("22 ");
+    file.commit();
+  }
+  ::close(log);
+  CHECK(contents(directory / "log") == "before 22 22 ");
+  CHECK(descriptorOf("/dev/stdout") == 1);
+  for (const char* none : {"", "1", "/dev/null", "/proc/self/status"}) CHECK_FALSE(descriptorOf(none));
+}
+
 }  // namespace parhelion

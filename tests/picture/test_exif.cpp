@@ -263,6 +263,13 @@ TEST_CASE("Exif texts are printable, without padding and no longer than 64 chara
   CHECK(make(std::string(500, 'x')) == std::string(64, 'x'));
 }
 
+TEST_CASE("a picture was taken when the camera says so, else when the file was made") {
+  const Tiff::Field changed = text(0x0132, "2025:02:03 04:05:06"), taken = text(0x9003, "2024:01:31 12:00:00");
+  CHECK(readExif(block(true, {changed}, {})).taken == "2025:02:03 04:05:06");
+  CHECK(readExif(block(true, {changed}, {taken})).taken == "2024:01:31 12:00:00");
+  CHECK(readExif(block(false, {}, {})).taken.empty());
+}
+
 TEST_CASE("Exif fields whose value lies outside the block are passed over and their neighbours read") {
   for (const bool bigEndian : {false, true}) {
     for (const std::uint32_t offset : {0x00010000u, 0x7FFFFFFFu, 0xFFFFFFF8u, 0xFFFFFFFFu}) {

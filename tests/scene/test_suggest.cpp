@@ -10,6 +10,15 @@
 using namespace parhelion;
 using namespace parhelion::test;
 
+TEST_CASE("a word that is part of names suggests them all, where none is nearer") {
+  const std::vector<std::string_view> names{"fov_diagonal", "fov_horizontal", "roll", "elevation"};
+  CHECK(didYouMean("fov", names) == "did you mean 'fov_diagonal' or 'fov_horizontal'?");
+  CHECK(didYouMean("horizontal", names) == "did you mean 'fov_horizontal'?");
+  CHECK(didYouMean("elev", names) == "did you mean 'elevation'?");
+  CHECK(didYouMean("rol", names) == "did you mean 'roll'?");
+  for (const char* far : {"", "v", "fo", "ov_", "izontal", "size"}) CHECK_MESSAGE(didYouMean(far, names).empty(), far);
+}
+
 TEST_CASE("edit distance counts insertions, deletions, replacements and swaps of neighbours") {
   CHECK(editDistance("", "abc") == 3);
   CHECK(editDistance("abc", "") == 3);
