@@ -48,14 +48,7 @@ int infoExr(const std::string& path) {
 int printScene(const std::string& path, const std::map<std::string, std::string>& text) {
   const auto scene = text.find(kSceneKey);
   if (scene == text.end()) throw std::runtime_error(path + ": holds no scene");
-  std::string shown;
-  for (std::size_t begin = 0; begin < scene->second.size();) {
-    const std::size_t end = std::min(scene->second.find('\n', begin), scene->second.size());
-    const std::string line = scene->second.substr(begin, end - begin);
-    shown += printable(line, line.size()) + "\n";
-    begin = end + 1;
-  }
-  std::fputs(shown.c_str(), stdout);
+  std::fputs(printableLines(scene->second).c_str(), stdout);
   return kDone;
 }
 

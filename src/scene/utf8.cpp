@@ -29,19 +29,39 @@ std::size_t countCodePoints(std::string_view text) {
   return count;
 }
 
+namespace {
+
+bool isControl(char32_t c) { return c < 0x20 || (c >= 0x7F && c < 0xA0); }
+
+}  // namespace
+
 std::string printable(std::string_view text, std::size_t maxLength) {
   std::string result;
   std::size_t count = 0;
   for (std::size_t at = 0; at < text.size(); ++count) {
     if (count == maxLength) return result + "…";
     const CodePoint c = decodeUtf8(text, at);
-    const bool control = c.value < 0x20 || (c.value >= 0x7F && c.value < 0xA0);
     if (c.value == '\t') {
       result += ' ';
-    } else if (control || !c.valid) {
+    } else if (isControl(c.value) || !c.valid) {
       result += '?';
     } else {
       result += text.substr(at, c.length);
+    }
+    at += c.length;
+  }
+  return result;
+}
+
+std::string printableLines(std::string_view text) {
+  std::string result;
+  for (std::size_t at = 0; at < text.size();) {
+    const CodePoint c = decodeUtf8(text, at);
+    const bool layout = c.value == '\t' || c.value == '\n' || text.substr(at).starts_with("\r\n");
+    if (c.valid && (layout || !isControl(c.value))) {
+      result += text.substr(at, c.length);
+    } else {
+      result += '?';
     }
     at += c.length;
   }

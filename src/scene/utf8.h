@@ -22,6 +22,9 @@ std::size_t countCodePoints(std::string_view text);
 /// is longer than `maxLength` code points ends in "…".
 std::string printable(std::string_view text, std::size_t maxLength);
 
+/// A text of several lines for a terminal or a file: as printable(), but tabs and ends of lines, of either kind, stay.
+std::string printableLines(std::string_view text);
+
 /// `text` without the blanks at its ends.
 std::string_view trimmed(std::string_view text);
 

@@ -89,6 +89,18 @@ TEST_CASE("info of a photograph tells its size, lens, field of view and date, of
   CHECK(run(folder, "parhelion info --scene v.png").out == run(folder, "parhelion info --scene s.exr").out);
 }
 
+TEST_CASE("the scene in a picture comes out as it was, with the ends of its lines") {
+  Folder folder;
+  std::string scene = "# columns\tat random\n" + kScene, windows;
+  for (const char c : scene) windows += c == '\n' ? "\r\n" : std::string(1, c);
+  for (const std::string& text : {scene, windows}) {
+    writeFile(folder / "s.toml", text);
+    REQUIRE(run(folder, "parhelion render s.toml --quiet").exit == 0);
+    for (const char* file : {"s.exr", "s.png", "s.toml"})
+      CHECK_MESSAGE(run(folder, std::string("parhelion info --scene ") + file).out == text, file);
+  }
+}
+
 TEST_CASE("words in a picture reach the terminal without what would act on it") {
   Folder folder;
   writePhotograph(folder / "x.exr", landscape<std::uint8_t>(60, 40, 0.5),
