@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include "csv.h"
-#include "picture/png.h"
 #include "picture/auto_exposure.h"
+#include "picture/png.h"
 #include "picture/tone.h"
 #include "recon/compare.h"
 #include "recon_methods.h"

@@ -16,9 +16,9 @@ struct ToneSettings {
 };
 
 /// Exposed linear Rec.709 to display-linear Rec.709 in [0, 1]: colours out of gamut are mixed with the grey of their
-/// luminance just as far as needed, the largest component goes through x / (1 + x) and the others in proportion, so that
-/// hues stay. That keeps bright parts apart: 1.1 and 13 are 75 and 97 % of the code values of sRGB. Far highlights fade
-/// to white, half way at 128. Black for components that are not finite.
+/// luminance just as far as needed, the largest component goes through x / (1 + x) and the others in proportion, so
+/// that hues stay. That keeps bright parts apart: 1.1 and 13 are 75 and 97 % of the code values of sRGB. Far highlights
+/// fade to white, half way at 128. Black for components that are not finite.
 Vec3 toneCurve(const Vec3& exposed);
 
 /// 8 bits of an encoded component in [0, 1] at a place of the picture, by ordered dither: gradients of a halo on black

@@ -26,7 +26,8 @@ std::string hemispheresText(Projection projection) {
 
 void checkFieldOfView(TableReader& reader, const FieldOfViewKey& key, double angle, Projection projection) {
   if (showsHemispheres(projection)) {
-    reader.reject(key.name, hemispheresText(projection) + "; it has no field of view to choose", "leave it out");
+    reader.reject(key.name, hemispheresText(projection) + "; it has no field of view to choose",
+                  "leave it out, as -D camera." + std::string(key.name) + "= does");
     return;
   }
   visitProjection(projection, [&](auto facts) {

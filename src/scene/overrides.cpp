@@ -55,7 +55,9 @@ class Override {
 
     toml::node* parent = &scene;
     for (std::size_t i = 0; parent && i + 1 < segments.size(); ++i) parent = descend(*parent, segments[i]);
-    if (parent) set(*parent, segments.back(), parseValue(equals));
+    if (!parent) return;
+    if (trimmed(std::string_view(text_).substr(equals + 1)).empty()) return takeOut(*parent, segments.back());
+    set(*parent, segments.back(), parseValue(equals));
   }
 
  private:
@@ -146,6 +148,17 @@ class Override {
     for (const std::string& name : names) hint += name.empty() ? "" : ", " + name;
     complain(segment.source, std::string("no element '").append(segment.text) + "' in this list", hint);
     return nullptr;
+  }
+
+  /// Makes the scene as if it had never said this key.
+  void takeOut(toml::node& parent, const Segment& segment) {
+    toml::table* table = parent.as_table();
+    if (!table) return complain(segment.source, "only a key can be taken out, by an override without a value");
+    if (table->erase(segment.text) > 0) return;
+    std::vector<std::string_view> keys;
+    for (const auto& [key, value] : *table) keys.push_back(key.str());
+    complain(segment.source, std::string("the scene has no '").append(segment.text) + "' to take out",
+             didYouMean(segment.text, keys));
   }
 
   void set(toml::node& parent, const Segment& segment, toml::table value) {

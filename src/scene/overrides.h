@@ -10,7 +10,8 @@
 namespace parhelion {
 
 /// Applies "key.path=value" to the scene. A number in the path picks an element of a list, counting from 0; a
-/// population can be picked by its name too. What cannot be applied is complained about.
+/// population can be picked by its name too. "key.path=" takes the key out of the scene. What cannot be applied is
+/// complained about.
 void applyOverride(toml::table& scene, const std::string& override, Complaints& complaints);
 
 }  // namespace parhelion

@@ -48,6 +48,19 @@ TEST_CASE("overrides apply in order and before validation") {
   CHECK(sceneOf("[sun]\nelevation = 200\n[[population]]", {"sun.elevation=5"}).sun.elevation == radians(5.0));
 }
 
+TEST_CASE("an override without a value takes the key out, so that its default counts") {
+  CHECK(sceneOf("[sun]\nelevation = 20\ndiameter = 0\n[[population]]", {"sun.diameter="}).sun.diameter ==
+        SunSettings{}.diameter);
+  const Scene globe = sceneOf("[camera]\nfov_horizontal = 90\n[sun]\nelevation = 20\n[[population]]",
+                              {"camera.projection=globe", "camera.fov_horizontal = "});
+  CHECK(globe.camera.projection == Projection::globe);
+  const auto errors = errorsOf("[sun]\nelevation = 20\n[[population]]", {"sun.elevatio="});
+  REQUIRE(errors.size() == 1);
+  CHECK(errors[0].message == "the scene has no 'elevatio' to take out");
+  CHECK(errors[0].hint == "did you mean 'elevation'?");
+  CHECK(errorsOf("[sun]\nelevation = 20\n[[population]]", {"population.0="}).size() == 1);
+}
+
 TEST_CASE("an error in an override points into the override") {
   const auto errors = errorsOf(kExample, {"trace.seed=2", "sun.elevation = 250"});
   REQUIRE(errors.size() == 1);
