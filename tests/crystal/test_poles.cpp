@@ -84,6 +84,17 @@ double zenithOf(const Vec3& axis) { return std::atan2(std::hypot(axis.x, axis.y)
 /// Turns enough for all but a hundred thousandth of any of the examples.
 constexpr int kTurns = 3;
 
+/// How far signed angles from the zenith are from an example's density, wrapped around the circle.
+double sigmasOfSignedAngles(const std::vector<double>& angles, const Example& example) {
+  const auto wrapped = [&](double x) {
+    double sum = 0.0;
+    for (int k = -kTurns; k <= kTurns; ++k)
+      sum += example.cumulative(x + k * kTurn) - example.cumulative(-kPi + k * kTurn);
+    return sum;
+  };
+  return chiSquareSigma(angles, wrapped, -kPi, kPi, 2 * kBins);
+}
+
 }  // namespace
 
 TEST_CASE("an axis with an azimuth of its own is turned through the poles by a signed angle") {
@@ -97,13 +108,7 @@ TEST_CASE("an axis with an azimuth of its own is turned through the poles by a s
       REQUIRE(std::abs(glm::dot(axis, glm::cross(side, Vec3(0, 0, 1)))) < 1e-14);
       angles.push_back(std::copysign(zenithOf(axis), glm::dot(axis, side)));
     }
-    const auto wrapped = [&](double x) {
-      double sum = 0.0;
-      for (int k = -kTurns; k <= kTurns; ++k)
-        sum += example.cumulative(x + k * kTurn) - example.cumulative(-kPi + k * kTurn);
-      return sum;
-    };
-    CHECK(chiSquareSigma(angles, wrapped, -kPi, kPi, 2 * kBins) < kSigmas);
+    CHECK(sigmasOfSignedAngles(angles, example) < kSigmas);
   }
 }
 
@@ -156,12 +161,6 @@ TEST_CASE("the axis of a Lowitz plate is turned through the poles, too") {
       // At zenith angle z of +y the c axis stands at height sin z cos(spin): below the horizon for a negative z.
       angles.push_back(std::copysign(zenithOf(m[1]), m[2].z));
     }
-    const auto wrapped = [&](double x) {
-      double sum = 0.0;
-      for (int k = -kTurns; k <= kTurns; ++k)
-        sum += example.cumulative(x + k * kTurn) - example.cumulative(-kPi + k * kTurn);
-      return sum;
-    };
-    CHECK(chiSquareSigma(angles, wrapped, -kPi, kPi, 2 * kBins) < kSigmas);
+    CHECK(sigmasOfSignedAngles(angles, example) < kSigmas);
   }
 }

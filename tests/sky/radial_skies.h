@@ -3,9 +3,13 @@
 
 // Radial skies about one sun, and pictures to spread them over.
 
+#include <doctest/doctest.h>
+
 #include <cmath>
+#include <vector>
 
 #include "math/rotation.h"
+#include "sky/camera.h"
 #include "sky/radial_sky.h"
 
 namespace parhelion {
@@ -36,6 +40,16 @@ inline Tally spread(const RadialSky& sky, const TallyInfo& i, int colours = 1) {
   Tally tally(i, colours);
   sky.spreadOver(tally);
   return tally;
+}
+
+/// Checks that a sky of one radiance gives every pixel light by its solid angle.
+inline void checkEvenRadialSky(const TallyInfo& i) {
+  RadialSky sky(i, kSun, 1);
+  for (int bin = 0; bin < sky.bins(); ++bin) sky.add(bin, Vec3(1000.0 * sky.solidAngle(bin)), false);
+  const Tally tally = spread(sky, i);
+  const std::vector<double> solidAngles = Camera(i.camera).solidAngles();
+  for (int p = 0; p < tally.pixels(); ++p)
+    CHECK(std::abs(tally.luminance(p) - 1000.0 * solidAngles[static_cast<std::size_t>(p)]) < 1e-5);
 }
 
 }  // namespace parhelion

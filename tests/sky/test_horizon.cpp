@@ -3,7 +3,7 @@
 
 #include <cmath>
 #include <numeric>
-#include <random>
+#include <optional>
 #include <string>
 
 #include <glm/geometric.hpp>
@@ -11,6 +11,7 @@
 #include "math/names.h"
 #include "math/rotation.h"
 #include "sky/camera.h"
+#include "sky/isotropic_light.h"
 #include "sky/look_at.h"
 #include "sky/radial_skies.h"
 #include "sky/tally_info_text.h"
@@ -80,34 +81,13 @@ TEST_CASE("the hemisphere of a fisheye is cut in proportion to its tilt") {
 }
 
 TEST_CASE("isotropic light falls into each pixel by its solid angle above the horizon, none below") {
-  constexpr int kRays = 1'000'000;
   for (const Projection projection : kMembersOf<Projection>) {
     for (const double roll : {0.0, 40.0}) {
       CAPTURE(std::string(nameOf(projection)));
       const Camera camera(above(projection, 20.0, roll == 0.0 ? 0.0 : 11.0, roll, 30, 15));
-      std::vector<int> hits(450);
-      std::mt19937_64 random(7);
-      std::normal_distribution<double> normal;
-      for (int i = 0; i < kRays; ++i) {
-        const Vec3 toSky = glm::normalize(Vec3(normal(random), normal(random), normal(random)));
-        const auto pixel = camera.pixelAt(toSky);
-        if (pixel) ++hits[static_cast<std::size_t>(*pixel)];
+      test::checkIsotropicLight(camera, [](const Vec3& toSky, std::optional<int> pixel) {
         if (toSky.z < 0.0) CHECK_FALSE(pixel);
-      }
-      const std::vector<double> solidAngles = camera.solidAngles();
-      double squares = 0.0;
-      int pixels = 0;
-      for (std::size_t i = 0; i < hits.size(); ++i) {
-        const double expected = kRays * solidAngles[i] / (4.0 * kPi);
-        if (expected < 5.0) {
-          CHECK(hits[i] <= 25);
-          continue;
-        }
-        squares += (hits[i] - expected) * (hits[i] - expected) / expected;
-        ++pixels;
-      }
-      // Chi squared of so many pixels, 5 sigma.
-      CHECK(std::abs(squares - pixels) < 5.0 * std::sqrt(2.0 * pixels));
+      });
     }
   }
 }
@@ -176,12 +156,7 @@ TEST_CASE("an even radial sky gives light by solid angle up to a horizon that is
     CAPTURE(std::string(nameOf(projection)));
     TallyInfo i;
     i.camera = above(projection, 20.0, 11.0, 40.0, 60, 30);
-    RadialSky sky(i, kSun, 1);
-    for (int bin = 0; bin < sky.bins(); ++bin) sky.add(bin, Vec3(1000.0 * sky.solidAngle(bin)), false);
-    const Tally tally = spread(sky, i);
-    const std::vector<double> solidAngles = Camera(i.camera).solidAngles();
-    for (int p = 0; p < tally.pixels(); ++p)
-      CHECK(std::abs(tally.luminance(p) - 1000.0 * solidAngles[static_cast<std::size_t>(p)]) < 1e-5);
+    checkEvenRadialSky(i);
   }
 }
 
