@@ -15,15 +15,13 @@ TraceReport traceRays(const Cloud& cloud, const TraceSettings& settings, std::ui
   report.firstRay = firstRay;
   report.simdLanes = tracer.simdLanes();
   const auto start = std::chrono::steady_clock::now();
-  RayRange left{firstRay, settings.rays - std::min(firstRay, settings.rays)};
-  while (const std::uint64_t traced = tracer.traceSome(left)) {
-    left = {left.first + traced, left.count - traced};
+  const RayRange range{firstRay, settings.rays - std::min(firstRay, settings.rays)};
+  const std::uint64_t traced = tracer.trace(range, [&](std::uint64_t rays) {
     report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    const bool stopped = (control.stop && *control.stop) || report.seconds >= control.timeLimit;
-    report.interrupted = stopped && left.count > 0;
-    if (control.onProgress) control.onProgress(left.first - firstRay, report.seconds);
-    if (report.interrupted) break;
-  }
+    if (control.onProgress) control.onProgress(rays, report.seconds);
+    return !(control.stop && *control.stop) && report.seconds < control.timeLimit;
+  });
+  report.interrupted = traced < range.count;
   tracer.collect();
   static_cast<TraceCounts&>(report) = tracer.counts();
   tally.finish();

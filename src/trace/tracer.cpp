@@ -50,7 +50,14 @@ Tracer::Tracer(const Cloud& cloud, const TraceSettings& settings, Film& film, in
 
 Tracer::~Tracer() = default;
 
-int Tracer::simdLanes() const { return steps_.lanes; }
+std::uint64_t Tracer::trace(const RayRange& range, const GoOn& goOn) {
+  RayRange left = range;
+  while (const std::uint64_t traced = traceSome(left)) {
+    left = {left.first + traced, left.count - traced};
+    if (!goOn(range.count - left.count)) break;
+  }
+  return range.count - left.count;
+}
 
 std::uint64_t Tracer::traceSome(const RayRange& range) {
   if (range.count == 0) return 0;
