@@ -91,6 +91,9 @@ class RadialSky {
 
   bool operator==(const RadialSky&) const = default;
 
+  /// Takes all light away.
+  void clear() { std::ranges::fill(rings_, SumLine{}); }
+
   /// Sets all pixels of a tally from the rings. The radiance is taken as constant across a ring.
   ///
   ///   - A pixel's light is the integral of the rings' radiance over the pixel's part of the sky.
@@ -121,7 +124,7 @@ class RadialSky {
 
   Vec3 toCentre_, perWhite_;
   int colours_;
-  double perChord_;  // rings per chord length on the unit sphere
+  double perChord_;             // rings per chord length on the unit sphere
   std::vector<SumLine> rings_;  // by TallySlots::Slot
 };
 

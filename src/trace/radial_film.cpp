@@ -26,9 +26,8 @@ int RadialFilm::add(const TracedRays& traced) {
 void RadialFilm::merge(Film& fromThread) {
   auto& other = dynamic_cast<RadialFilm&>(fromThread);
   sky_.merge(other.sky_);
-  other.intercepted_.addTo(tally_.info);
+  other.sky_.clear();
+  other.intercepted_.moveTo(tally_.info);
 }
-
-void RadialFilm::finish() { tally_.spreadRings(); }
 
 }  // namespace parhelion

@@ -25,8 +25,8 @@ class RadialFilm : public Film {
   }
   void merge(Film& fromThread) override;
 
-  /// Spreads the rings over the tally's pixels.
-  void finish() override;
+  /// Spreads the rings over the tally's pixels, in the place of what was there.
+  void finish() override { sky_.spreadOver(tally_); }
 
  private:
   /// A thread has rings of its own.

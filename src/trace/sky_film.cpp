@@ -33,7 +33,7 @@ int SkyFilm::add(const TracedRays& traced) {
 void SkyFilm::merge(Film& fromThread) {
   auto& other = dynamic_cast<SkyFilm&>(fromThread);
   other.buffer_.flush();
-  other.intercepted_.addTo(tally_.info);
+  other.intercepted_.moveTo(tally_.info);
 }
 
 void SkyFilm::finish() {
@@ -41,6 +41,13 @@ void SkyFilm::finish() {
   assert(!folded_);
   tally_.addMirrorImage();
   folded_ = true;
+}
+
+void SkyFilm::reopen() {
+  if (!foldsPicture()) return;
+  assert(folded_);
+  tally_.removeMirrorImage();
+  folded_ = false;
 }
 
 }  // namespace parhelion
