@@ -20,7 +20,8 @@ std::uint64_t parseRayCount(std::string_view text) {
   if (suffix != std::string_view::npos)
     number.replace(number.size() - 1, 1, std::string("e").append(std::to_string(3 * (suffix / 2 + 1))));
 
-  const std::optional<double> rays = numberIn(number);
+  const bool plain = !number.starts_with('+');  // as the schema has it
+  const std::optional<double> rays = plain ? numberIn(number) : std::nullopt;
   if (!rays || !(*rays >= 1.0 && *rays <= static_cast<double>(kMaxRays)) || *rays != std::floor(*rays)) {
     throw std::invalid_argument(expected);
   }
