@@ -8,8 +8,8 @@
 #include "cli/outputs.h"
 #include "cli/run_options.h"
 #include "math/names.h"
-#include "picture/atomic_file.h"
 #include "picture/photograph.h"
+#include "picture/staged_file.h"
 
 namespace parhelion::cli {
 
@@ -17,7 +17,7 @@ namespace {
 
 /// Of the EXR that is made from an input.
 std::filesystem::path ownName(const std::string& input) {
-  if (input == "-" || descriptorOf(input))
+  if (descriptorOf(input))
     throw CLI::ValidationError("-o", "a scene from a pipe has no name to call the picture by; name an .exr");
   return std::filesystem::path(input).filename().replace_extension(".exr");
 }
@@ -66,12 +66,8 @@ SkyFiles PictureOptions::files(const std::string& input) const {
   return {exr, png, exposure, gamutOf(gamut)};
 }
 
-void writePicture(ReconstructedSky sky, const TallyInfo& info, const LoadedScene& loaded, const PictureOptions& options,
-                  const std::string& input, bool quiet) {
-  const SkyFiles files = options.files(input);
-  const WrittenSky written = writeSkyFiles(files, std::move(sky.image), info, loaded);
-  if (quiet) return;
-  for (const std::string& remark : sky.remarks) std::fprintf(stderr, "recon: %s\n", remark.c_str());
+void reportPicture(const SkyFiles& files, const WrittenSky& written, const std::vector<std::string>& remarks) {
+  for (const std::string& remark : remarks) std::fprintf(stderr, "recon: %s\n", remark.c_str());
   std::fprintf(stderr, "wrote %s and %s (exposure %s)\n", files.exr.c_str(), files.png.c_str(),
                exposureText(written.exposure).c_str());
   if (written.badPixels > 0)

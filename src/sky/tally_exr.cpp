@@ -98,15 +98,15 @@ void requireTallyParts(const std::filesystem::path& path, const Imf::MultiPartIn
 
 }  // namespace
 
-void writeTallyExr(const std::filesystem::path& path, const Tally& tally) {
-  withExrErrors(path, [&] {
+void writeTallyExr(const Output& output, const Tally& tally) {
+  withExrErrors(output.path, [&] {
     std::vector<Imf::Header> headers;
     for (int slot = 0; slot < tally.slots(); ++slot) headers.push_back(partHeader(tally, slot));
-    AtomicFile file(path);
+    AtomicFile file(output);
     {
-      ExrOutput stream(path, file);
-      Imf::MultiPartOutputFile output(stream, headers.data(), tally.slots());
-      for (int slot = 0; slot < tally.slots(); ++slot) writeSlot(Imf::OutputPart(output, slot), tally, slot);
+      ExrOutput stream(output.path, file);
+      Imf::MultiPartOutputFile writer(stream, headers.data(), tally.slots());
+      for (int slot = 0; slot < tally.slots(); ++slot) writeSlot(Imf::OutputPart(writer, slot), tally, slot);
     }  // here OpenEXR writes its tables of scan lines
     file.commit();
   });
