@@ -15,6 +15,8 @@ class Threads {
  public:
   explicit Threads(int threads) : Threads(tbb::this_task_arena::max_concurrency(), threads) {}
 
+  int count() const { return count_; }
+
   /// The result of f(), whose parallel loops get these threads.
   template <class F>
   auto run(const F& f) {

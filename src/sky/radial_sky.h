@@ -71,6 +71,9 @@ class RadialSky {
   /// differ.
   void merge(const RadialSky& other);
 
+  /// Takes all light away.
+  void clear() { std::ranges::fill(rings_, Ring{}); }
+
   /// Sets all pixels of a tally from the rings. The radiance is taken as constant across a ring.
   ///
   ///   - A pixel's light is the integral of the rings' radiance over the pixel's part of the sky.

@@ -97,18 +97,34 @@ void Tally::merge(const Tally& other) {
   }
 }
 
+namespace {
+
+/// In the middle column one deposit becomes, with its mirror image, one of twice the light.
+int timesInMiddle(int slot) { return slot == Tally::kHits ? 1 : slot == Tally::kSquares ? 4 : 2; }
+
+}  // namespace
+
 void Tally::addMirrorImage() {
   for (int y = 0; y < height_; ++y) {
     for (int x = 0; 2 * x < width_; ++x) {
       const int left = y * width_ + x, right = y * width_ + width_ - 1 - x;
       for (int slot = 0; slot < slots(); ++slot) {
-        // In the middle column one deposit becomes one of twice the light.
-        const int images = left != right ? 2 : slot == kHits ? 1 : slot == kSquares ? 4 : 2;
+        const int images = left != right ? 2 : timesInMiddle(slot);
         std::int64_t sum = 0;
         for (int i = 0; i < images; ++i) addFixed(sum, raw(i == 0 ? left : right, slot));
         setRaw(left, slot, sum);
         setRaw(right, slot, sum);
       }
+    }
+  }
+}
+
+void Tally::removeMirrorImage() {
+  for (int y = 0; y < height_; ++y) {
+    for (int x = 0; 2 * x < width_; ++x) {
+      const int left = y * width_ + x, right = y * width_ + width_ - 1 - x;
+      for (int slot = 0; slot < slots(); ++slot)
+        setRaw(right, slot, left == right ? raw(left, slot) / timesInMiddle(slot) : 0);
     }
   }
 }

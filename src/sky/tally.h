@@ -116,6 +116,10 @@ class Tally {
   /// odd, both land in the same pixel of the middle column. Throws std::overflow_error where a pixel cannot hold it.
   void addMirrorImage();
 
+  /// For a tally after addMirrorImage(): takes away what is right of the middle and half of the middle's light, so that
+  /// addMirrorImage() makes the same again.
+  void removeMirrorImage();
+
   /// The numbers that are stored for each pixel, for files. X and Z are relative to the white, so that none can
   /// overflow.
   enum Slot : int { kY, kFirstHalf, kSquares, kHits, kX, kZ };

@@ -18,14 +18,17 @@ class Film {
   /// also counts as its mirror image may find two.
   virtual int add(const TracedRays& traced) = 0;
 
-  /// Makes an empty tally of the same kind for one thread. It is given to merge() at the end.
+  /// Makes an empty film of the same kind for one thread. It is given to merge() in the end, and at any time before.
   virtual std::unique_ptr<Film> forThread() = 0;
 
-  /// Takes over what a tally made by forThread() has added up. That tally must not be used afterwards.
+  /// Takes over what a film made by forThread() has added up. That one is empty afterwards and may go on.
   virtual void merge(Film& fromThread) = 0;
 
-  /// Called once, after the last merge.
+  /// Makes the result of all that was merged: it can be read until the next reopen().
   virtual void finish() {}
+
+  /// After finish(): more rays may be added.
+  virtual void reopen() {}
 };
 
 }  // namespace parhelion

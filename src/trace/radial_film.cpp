@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "trace/radial_film.h"
 
-#include <cassert>
-
 namespace parhelion {
 
 int RadialFilm::add(const TracedRays& traced) {
@@ -28,13 +26,9 @@ int RadialFilm::add(const TracedRays& traced) {
 void RadialFilm::merge(Film& fromThread) {
   auto& other = dynamic_cast<RadialFilm&>(fromThread);
   sky_.merge(other.sky_);
+  other.sky_.clear();
   other.intercepted_.addTo(tally_.info, 1);
-}
-
-void RadialFilm::finish() {
-  assert(!spread_);
-  sky_.spreadOver(tally_);
-  spread_ = true;
+  other.intercepted_ = {};
 }
 
 }  // namespace parhelion

@@ -20,8 +20,8 @@ class RadialFilm : public Film {
   std::unique_ptr<Film> forThread() override { return std::make_unique<RadialFilm>(tally_, toSun_); }
   void merge(Film& fromThread) override;
 
-  /// Spreads the rings over the tally's pixels.
-  void finish() override;
+  /// Spreads the rings over the tally's pixels, in the place of what was there.
+  void finish() override { sky_.spreadOver(tally_); }
 
  private:
   Tally& tally_;
@@ -30,7 +30,6 @@ class RadialFilm : public Film {
   BundleDeposits<Vec3> deposits_;
   ByBundle byBundle_;
   InterceptedLight intercepted_;
-  bool spread_ = false;  // over the tally's pixels, by finish()
 };
 
 }  // namespace parhelion

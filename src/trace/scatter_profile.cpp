@@ -85,12 +85,10 @@ void ScatterProfile::addRay(const TracedRays& traced, int member, int place) {
   volumePerArea_.add(perArea * crystal.volume());
 }
 
-std::unique_ptr<Film> ScatterProfile::forThread() {
-  return std::make_unique<ScatterProfile>(bins_.size(), from_, from_ + width_ * bins_.size());
-}
+std::unique_ptr<Film> ScatterProfile::forThread() { return std::make_unique<ScatterProfile>(empty()); }
 
 void ScatterProfile::merge(Film& fromThread) {
-  const auto& other = dynamic_cast<const ScatterProfile&>(fromThread);
+  auto& other = dynamic_cast<ScatterProfile&>(fromThread);
   bins_.merge(other.bins_);
   rays_ += other.rays_;
   bundles_ += other.bundles_;
@@ -102,6 +100,7 @@ void ScatterProfile::merge(Film& fromThread) {
     (this->*sum).merge(other.*sum);
   byOrder_.resize(std::max(byOrder_.size(), other.byOrder_.size()));
   for (std::size_t k = 0; k < other.byOrder_.size(); ++k) byOrder_[k].merge(other.byOrder_[k]);
+  other = empty();
 }
 
 std::vector<ScatterProfile::Bin> ScatterProfile::bins() const {

@@ -46,6 +46,7 @@ class ScatterProfile : public Film {
 
  private:
   static constexpr int kNoBin = -1;
+  ScatterProfile empty() const { return {bins_.size(), from_, from_ + width_ * bins_.size()}; }
   int binAt(double angle) const;
 
   void addExit(const TracedRays& traced, int exit);

@@ -34,6 +34,7 @@ void SkyFilm::merge(Film& fromThread) {
   auto& other = dynamic_cast<SkyFilm&>(fromThread);
   other.buffer_.flush();
   other.intercepted_.addTo(tally_.info, mirrored_ ? 2 : 1);
+  other.intercepted_ = {};
 }
 
 void SkyFilm::finish() {
@@ -41,6 +42,13 @@ void SkyFilm::finish() {
   assert(!folded_);
   tally_.addMirrorImage();
   folded_ = true;
+}
+
+void SkyFilm::reopen() {
+  if (!foldsPicture()) return;
+  assert(folded_);
+  tally_.removeMirrorImage();
+  folded_ = false;
 }
 
 }  // namespace parhelion

@@ -11,7 +11,8 @@
 namespace parhelion {
 
 /// Exposes a tally through a camera. All threads share one tally, to which each adds by a buffer of its own: complete
-/// once all are merged. Undeviated light is counted in the tally's info and lands in no pixel.
+/// once all are merged and finish() has made up for mirror images. Undeviated light is counted in the tally's info and
+/// lands in no pixel.
 class SkyFilm : public Film {
  public:
   /// `tally` must outlive the film; its info's camera is the one looked through. `mirrored`: every ray counts as its
@@ -25,6 +26,7 @@ class SkyFilm : public Film {
   }
   void merge(Film& fromThread) override;
   void finish() override;
+  void reopen() override;
 
  private:
   /// Through a camera that is its own mirror image, the finished picture makes up for a second view of every exit.
@@ -45,7 +47,7 @@ class SkyFilm : public Film {
   ByBundle byBundle_;
   SeenLight seen_;
   InterceptedLight intercepted_;
-  bool folded_ = false;  // the tally's picture, by finish()
+  bool folded_ = false;  // the tally's picture, by finish(), until reopen()
 };
 
 }  // namespace parhelion

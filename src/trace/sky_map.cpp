@@ -38,13 +38,14 @@ int SkyMap::add(const TracedRays& traced) {
   return exits.count;
 }
 
-std::unique_ptr<Film> SkyMap::forThread() { return std::make_unique<SkyMap>(toSun_, binsPerHalfTurn_); }
+std::unique_ptr<Film> SkyMap::forThread() { return std::make_unique<SkyMap>(empty()); }
 
 void SkyMap::merge(Film& fromThread) {
-  const auto& other = dynamic_cast<const SkyMap&>(fromThread);
+  auto& other = dynamic_cast<SkyMap&>(fromThread);
   bins_.merge(other.bins_);
   bundles_ += other.bundles_;
   intercepted_.merge(other.intercepted_);
+  other = empty();
 }
 
 double SkyMap::azimuth(int column) const { return (column - binsPerHalfTurn_) * (kPi / binsPerHalfTurn_); }

@@ -31,6 +31,7 @@ class SkyMap : public Film {
   double error(int column, int row) const;
 
  private:
+  SkyMap empty() const { return SkyMap(toSun_, binsPerHalfTurn_); }
   int binAt(const Vec3& toSky) const;
 
   Vec3 toSun_;

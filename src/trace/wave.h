@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "trace/energy_ledger.h"
@@ -38,7 +39,9 @@ class Wave {
   /// bundles().
   void trace(std::uint64_t first, int count, int members, Film& tally);
 
+  /// What was done since takeCounts() was last called.
   const TraceCounts& counts() const { return counts_; }
+  TraceCounts takeCounts() { return std::exchange(counts_, {}); }
 
  private:
   void follow(RayQueue& queue, int population, int members);
