@@ -7,6 +7,7 @@ void addCommands(CLI::App& app, int& exit) {
   addRender(app, exit);
   addTrace(app, exit);
   addRecon(app, exit);
+  addMerge(app, exit);
   addComposite(app, exit);
   addSweep(app, exit);
   addView(app, exit);

@@ -18,6 +18,7 @@ enum ExitCode {
 void addRender(CLI::App& app, int& exit);
 void addTrace(CLI::App& app, int& exit);
 void addRecon(CLI::App& app, int& exit);
+void addMerge(CLI::App& app, int& exit);
 void addComposite(CLI::App& app, int& exit);
 void addSweep(CLI::App& app, int& exit);
 void addView(CLI::App& app, int& exit);

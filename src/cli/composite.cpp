@@ -111,7 +111,7 @@ int runComposite(const CompositeOptions& options) {
   sayAll(camera.remarks, quiet);
 
   const SkyMask mask = maskOf(options, photograph, camera);
-  const auto [halo, exit] = options.halo.make(camera, stop, outputs);
+  const auto [halo, exit] = options.halo.make(camera, stop, options.camera.rules().editedPictures(), outputs);
   const HaloStrength strength =
       haloStrength(strengthSettings(options), photograph, mask, camera.camera, camera.sunElevation, halo.lookup);
   sayAll(strength.remarks, quiet);

@@ -39,8 +39,9 @@ double HaloOptions::sunElevation() const {
   return picture.empty() ? run.load().scene.sun.elevation : sunElevationIn(picture);
 }
 
-HaloOptions::Result HaloOptions::make(const PhotoCamera& camera, const StopSignal& stop, Transaction& outputs) const {
-  return picture.empty() ? render(camera, stop, outputs) : Result{readHalo(picture, camera), kDone};
+HaloOptions::Result HaloOptions::make(const PhotoCamera& camera, const StopSignal& stop, EditedPictures edited,
+                                      Transaction& outputs) const {
+  return picture.empty() ? render(camera, stop, outputs) : Result{readHalo(picture, camera, edited), kDone};
 }
 
 HaloOptions::Result HaloOptions::render(const PhotoCamera& camera, const StopSignal& stop, Transaction& outputs) const {

@@ -35,7 +35,7 @@ struct HaloOptions {
 
   /// The halo as this camera sees it, with the sun where it saw it; figures of the run go to `outputs`. Throws
   /// std::runtime_error, SceneError.
-  Result make(const PhotoCamera& camera, const StopSignal& stop, Transaction& outputs) const;
+  Result make(const PhotoCamera& camera, const StopSignal& stop, EditedPictures edited, Transaction& outputs) const;
 
  private:
   Result render(const PhotoCamera& camera, const StopSignal& stop, Transaction& outputs) const;

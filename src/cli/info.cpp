@@ -5,8 +5,10 @@
 
 #include "cli/commands.h"
 #include "cli/info_photograph.h"
+#include "cli/info_tally.h"
 #include "cli/say.h"
 #include "cli/scene_input.h"
+#include "cli/tally_input.h"
 #include "picture/exr.h"
 #include "picture/file_kind.h"
 #include "picture/picture_text.h"
@@ -20,7 +22,7 @@ namespace {
 
 struct InfoOptions {
   std::string file;
-  bool sceneOnly = false;
+  bool sceneOnly = false, edited = false;
 };
 
 void printChannel(const Channel& channel) {
@@ -35,8 +37,8 @@ void printChannel(const Channel& channel) {
          sum / static_cast<double>(channel.samples.size()), greatest);
 }
 
-int infoExr(const std::string& path) {
-  const ExrFile exr = readExr(path, ExrColours::asStored);
+int infoExr(const std::string& path, EditedPictures edited) {
+  const ExrFile exr = readExr(path, ExrColours::asStored, edited);
   answer("%s: EXR, %d x %d", path.c_str(), exr.image.width, exr.image.height);
   for (const Channel& channel : exr.image.channels) printChannel(channel);
   printTexts(exr.attributes, path);
@@ -56,7 +58,9 @@ int runInfo(const InfoOptions& options) {
   const FileKind kind = kindOf(startOfFile(options.file));
   if (kind.isPhotograph()) {
     if (options.sceneOnly) return printScene(options.file, readPictureText(options.file));
-    return kind.family == FileKind::Family::exr ? infoExr(options.file) : infoPhotograph(options.file, kind);
+    if (isTallyFile(options.file)) return infoTally(options.file);
+    const EditedPictures edited = options.edited ? EditedPictures::read : EditedPictures::refused;
+    return kind.family == FileKind::Family::exr ? infoExr(options.file, edited) : infoPhotograph(options.file, kind);
   }
   const LoadedScene loaded = loadSceneOf(options.file);
   answerLines(options.sceneOnly ? loaded.text : describeScene(loaded.scene));
@@ -72,6 +76,8 @@ void addInfo(CLI::App& app, int& exit) {
       ->required()
       ->type_name("FILE");
   command->add_flag("--scene", options->sceneOnly, "Print only the scene's text, ready to be rendered again");
+  command->add_flag("--edited", options->edited,
+                    "Take an EXR of parhelion as it is, though another program has changed it");
   command->callback([options, &exit] { exit = runInfo(*options); });
 }
 

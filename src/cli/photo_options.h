@@ -25,11 +25,11 @@ struct PhotoOptions {
   std::string distortion, shift, sun;
   std::vector<std::string> horizon, known;
   std::optional<double> sunElevation, azimuth, elevation, roll;  // degrees
-  bool assumeSrgb = false;
+  bool assumeSrgb = false, edited = false;
 
   void addTo(CLI::App& command);
 
-  PhotographRules rules() const { return {assumeSrgb}; }
+  PhotographRules rules() const { return {assumeSrgb, edited}; }
 
   /// Whether anything was said of the lens or of where it pointed.
   bool given() const;

@@ -48,19 +48,18 @@ ViewInput readViewInput(const std::string& path, const PhotographRules& rules) {
     input.photograph = readPhotograph(path, rules);
     return input;
   }
-  ExrFile exr = readExr(path, exrColours(rules));
-  input.photograph.width = exr.image.width;
-  input.photograph.height = exr.image.height;
-  input.photograph.text = std::move(exr.attributes);
-  // The parts of a tally hold the halves of 64-bit integers.
-  if (exr.image.find("hi") && exr.image.find("lo")) {
+  if (ExrAttributes attributes = readExrAttributes(path); attributes.contains(kTallyKey)) {
     input.tally = readTallyExr(path);
     input.light = plainRadiance(*input.tally);
-    input.photograph.text[kSceneKey] = input.tally->info.scene;
+    input.photograph.text = std::move(attributes);
   } else {
+    ExrFile exr = readExr(path, exrColours(rules), rules.editedPictures());
     requireColours(path, exr.image);
+    input.photograph.text = std::move(exr.attributes);
     input.light = std::move(exr.image);
   }
+  input.photograph.width = input.light->width;
+  input.photograph.height = input.light->height;
   return input;
 }
 

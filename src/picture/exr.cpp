@@ -8,6 +8,7 @@
 #include <ImfMultiPartInputFile.h>
 #include <ImfOutputFile.h>
 #include <ImfStandardAttributes.h>
+#include <ImfStringAttribute.h>
 
 #include <array>
 #include <charconv>
@@ -18,7 +19,9 @@
 #include <fstream>
 
 #include "picture/colour_space.h"
+#include "picture/exr_checksum.h"
 #include "picture/exr_stream.h"
+#include "picture/meaning.h"
 
 namespace parhelion {
 namespace {
@@ -102,7 +105,9 @@ void convertToRec709(const std::filesystem::path& path, ExrFile& file) {
 
 void writeBeautyExr(const Output& output, const Image& image, ExrAttributes attributes, Envmap envmap) {
   withExrErrors(output.path, [&] {
-    const Imf::Header header = beautyHeader(image, std::move(attributes), envmap);
+    attributes.erase(kChecksumKey);  // of the picture that this one was made from
+    Imf::Header header = beautyHeader(image, attributes, envmap);
+    header.insert(kChecksumKey, Imf::StringAttribute(pictureChecksum(header, attributes, image)));
     AtomicFile file(output);
     {
       ExrOutput stream(output.path, file);
@@ -123,13 +128,15 @@ bool isExr(const std::filesystem::path& path) {
   return start == kMagic;
 }
 
-ExrFile readExr(const std::filesystem::path& path, ExrColours colours) {
+ExrFile readExr(const std::filesystem::path& path, ExrColours colours, EditedPictures edited) {
   requireSaneHeaders(path);
   return withExrErrors(path, [&] {
     Imf::MultiPartInputFile file(path.c_str(), 0, false);  // no threads, no guessing at missing scan lines
     Image image = readPart(path, file);
     const Imf::Header& header = file.header(0);
     ExrFile read{std::move(image), textOf(header), displayOf(header), chromaticitiesOf(header)};
+    if (edited == EditedPictures::refused) requireUnchanged(path, header, read.attributes, read.image);
+    read.attributes.erase(kChecksumKey);
     if (colours == ExrColours::rec709) convertToRec709(path, read);
     return read;
   });

@@ -38,8 +38,11 @@ enum class ExrColours {
   asStored,  // the numbers in the file
 };
 
+/// What becomes of a picture of ours that is damaged, or that another program has changed but for its checksum.
+enum class EditedPictures { refused, read };
+
 /// Writes a picture for any viewer: one part, all channels as 32-bit floats, scan lines, ZIP, with the chromaticities
-/// of Rec.709 and, for environment light, the attribute `envmap`. Adds `capDate` if the environment sets
+/// of Rec.709, a checksum and, for environment light, the attribute `envmap`. Adds `capDate` if the environment sets
 /// SOURCE_DATE_EPOCH; else the same picture gives the same bytes. In one piece or not at all (atomic_file.h). Throws
 /// std::runtime_error "path: reason".
 void writeBeautyExr(const Output& output, const Image& image, ExrAttributes attributes, Envmap envmap = Envmap::none);
@@ -50,8 +53,9 @@ bool isExr(const std::filesystem::path& path);
 /// Reads the first part of any flat scan-line EXR, all channels as floats, and its text attributes. The memory it takes
 /// is bounded by the size of the file. Pixels with samples that are not finite stay as they are stored. Throws
 /// std::runtime_error "path: reason" for whatever is wrong with it, also for chromaticities that make no colour space
-/// if they are needed.
-ExrFile readExr(const std::filesystem::path& path, ExrColours colours = ExrColours::rec709);
+/// if they are needed, and for a checksum that does not fit. The latter is not among the attributes that it gives.
+ExrFile readExr(const std::filesystem::path& path, ExrColours colours = ExrColours::rec709,
+                EditedPictures edited = EditedPictures::refused);
 
 /// Its text attributes alone, whatever its first part is. Throws as readExr does if the header cannot be read.
 ExrAttributes readExrAttributes(const std::filesystem::path& path);

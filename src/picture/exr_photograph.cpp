@@ -32,8 +32,8 @@ void requireReadableDisplay(const std::filesystem::path& path, const ExrFile& fi
 
 }  // namespace
 
-StoredPicture readExrPhotograph(const std::filesystem::path& path, ExrColours colours) {
-  ExrFile file = readExr(path, colours);
+StoredPicture readExrPhotograph(const std::filesystem::path& path, ExrColours colours, EditedPictures edited) {
+  ExrFile file = readExr(path, colours, edited);
   requireReadableDisplay(path, file);
   const auto planes = planesOf(path, file.image);
   const DisplayWindow& display = file.display;

@@ -35,7 +35,7 @@ StoredPicture readStored(const std::filesystem::path& path, const PhotographRule
   const std::string_view start(first.data(), first.size());
   if (start.starts_with("\xff\xd8\xff")) return readJpeg(path);
   if (start == "\x89PNG\r\n\x1a\n") return readPng(path);
-  if (start.starts_with("\x76\x2f\x31\x01")) return readExrPhotograph(path, exrColours(rules));
+  if (start.starts_with("\x76\x2f\x31\x01")) return readExrPhotograph(path, exrColours(rules), rules.editedPictures());
   throw pictureError(path, "not a JPEG, PNG or EXR file");
 }
 

@@ -70,8 +70,8 @@ double sunElevationIn(const std::filesystem::path& sky) {
   return sceneIn(readExrAttributes(sky), sky.string()).scene.sun.elevation;
 }
 
-PhotoHalo readHalo(const std::filesystem::path& path, const PhotoCamera& camera) {
-  const ExrFile sky = readExr(path);
+PhotoHalo readHalo(const std::filesystem::path& path, const PhotoCamera& camera, EditedPictures edited) {
+  const ExrFile sky = readExr(path, ExrColours::rec709, edited);
   const LoadedScene loaded = sceneIn(sky.attributes, path.string());
   requireSky(sky, path.string());
   requireSameSun(loaded.scene.sun.elevation, camera.sunElevation, path.string());

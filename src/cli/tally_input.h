@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdio>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "render/tally_sum.h"
+
+namespace parhelion::cli {
+
+/// Tallies as a command line names them: files, pipes, or "-" for stdin. What comes out of a pipe is kept in a nameless
+/// file as long as this lives.
+class TallyInputs {
+ public:
+  /// Throws std::runtime_error "name: reason" for what cannot be read and for files that are no tallies.
+  explicit TallyInputs(std::span<const std::string> names);
+
+  std::span<const TallyFile> files() const { return files_; }
+
+ private:
+  struct Close {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+  };
+  using Spooled = std::unique_ptr<std::FILE, Close>;
+
+  /// All that a pipe gives, which must be an EXR.
+  Spooled spooled(const std::string& name) const;
+
+  std::vector<Spooled> spooled_;
+  std::vector<TallyFile> files_;
+};
+
+/// Whether a command is given a tally where it could have a scene.
+bool isTallyFile(const std::string& name);
+
+/// Says on stderr which rays are missing, if some are. With `complete` that is an error: CLI::ValidationError.
+void reportMissing(const TallySet& set, bool complete, bool quiet);
+
+/// fittingTallies() with CLI::ValidationError for what does not fit.
+TallySet requireFitting(const TallyInputs& inputs);
+
+}  // namespace parhelion::cli
