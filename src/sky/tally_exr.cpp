@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "picture/exr_stream.h"
+#include "picture/limits.h"
 #include "sky/tally_info_text.h"
 
 namespace parhelion {
@@ -120,6 +121,8 @@ Tally readTallyExr(const std::filesystem::path& path) {
     TallyInfo info = infoFromText(textOf(file.header(0)));
     info.camera.width = file.header(0).dataWindow().max.x + 1;
     info.camera.height = file.header(0).dataWindow().max.y + 1;
+    const auto pixels = static_cast<std::uint64_t>(info.camera.width) * static_cast<std::uint64_t>(info.camera.height);
+    requireMemoryFor(path, pixels * sizeof(std::int64_t) * static_cast<unsigned>(file.parts()));
     Tally tally(std::move(info), file.parts() == 4 ? 1 : 3);
     for (int slot = 0; slot < tally.slots(); ++slot) readSlot(Imf::InputPart(file, slot), tally, slot);
     return tally;
