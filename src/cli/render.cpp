@@ -19,15 +19,18 @@ struct RenderOptions {
 int runRender(const RenderOptions& options) {
   const LoadedScene loaded = options.run.load();
   const std::string& scene = options.run.scene;
-  const SkyFiles files = options.picture.files(scene);
-  requireOutputs({{scene}, {files.exr, files.png, options.run.stats}}, options.run.overwrite);
+  SkyFiles files = options.picture.files(scene);
+  Transaction outputs = claimOutputs({{scene}, {files.exr, files.png, options.run.stats}}, options.run.overwrite);
   // Also while the picture is made, so that a late Ctrl-C does not lose what was traced.
   const StopSignal stop;
   TraceWatch watch(options.run, loaded.scene.trace.rays, stop);
   const TracedSky traced = traceSky(loaded, cloudOf(loaded.scene), watch.control());
-  const int exit = watch.report(traced);
+  const int exit = watch.report(traced, outputs);
   ReconstructedSky sky = developSky(traced, loaded, options.run.threads);
-  writePicture(std::move(sky), traced.tally.info, loaded, options.picture, scene, options.run.quiet);
+  files.run = &outputs;
+  const WrittenSky written = writeSkyFiles(files, std::move(sky.image), traced.tally.info, loaded);
+  outputs.commit();
+  if (!options.run.quiet) reportPicture(files, written, sky.remarks);
   return exit;
 }
 

@@ -35,7 +35,7 @@ void printLedger(const TraceReport& report) {
       std::abs(energy.imbalance()));
 }
 
-void writeStats(const std::string& path, const TraceSettings& settings, const TraceReport& report, int threads) {
+void writeStats(const Output& output, const TraceSettings& settings, const TraceReport& report, int threads) {
   const ProcessUsage usage = processUsage();
   const double rays = static_cast<double>(report.rays);
   nlohmann::ordered_json json;
@@ -62,7 +62,7 @@ void writeStats(const std::string& path, const TraceSettings& settings, const Tr
                     {"cut_off", report.energy.cutOff.value()},
                     {"lost", report.energy.lost.value()}};
   json["interrupted"] = report.interrupted;
-  writeJson(path, json);
+  writeJson(output, json);
 }
 
 ProcessUsage processUsage() {
@@ -73,6 +73,6 @@ ProcessUsage processUsage() {
 
 int threadCount(int asked) { return asked > 0 ? asked : static_cast<int>(std::thread::hardware_concurrency()); }
 
-void writeJson(const std::string& path, const nlohmann::ordered_json& json) { writeText(path, json.dump(2) + "\n"); }
+void writeJson(const Output& output, const nlohmann::ordered_json& json) { writeText(output, json.dump(2) + "\n"); }
 
 }  // namespace parhelion::cli

@@ -2,10 +2,9 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
-
 #include <nlohmann/json_fwd.hpp>
 
+#include "picture/transaction.h"
 #include "trace/trace.h"
 #include "trace/trace_settings.h"
 
@@ -15,7 +14,7 @@ namespace parhelion::cli {
 void printLedger(const TraceReport& report);
 
 /// Writes the run's figures as JSON; `threads` 0 is one a processor. Throws std::runtime_error.
-void writeStats(const std::string& path, const TraceSettings& settings, const TraceReport& report, int threads);
+void writeStats(const Output& output, const TraceSettings& settings, const TraceReport& report, int threads);
 
 /// What the process has used so far.
 struct ProcessUsage {
@@ -27,7 +26,7 @@ ProcessUsage processUsage();
 /// The number of threads that `asked` stands for: 0 is one a processor.
 int threadCount(int asked);
 
-/// Writes JSON to a file, or to stdout for "-". Throws std::runtime_error.
-void writeJson(const std::string& path, const nlohmann::ordered_json& json);
+/// Writes JSON (writeText). Throws std::runtime_error.
+void writeJson(const Output& output, const nlohmann::ordered_json& json);
 
 }  // namespace parhelion::cli

@@ -18,12 +18,13 @@ struct TraceOptions {
 
 int runTrace(const TraceOptions& options) {
   const LoadedScene loaded = options.run.load();
-  requireOutputs({{options.run.scene}, {options.output, options.run.stats}}, options.run.overwrite);
+  Transaction outputs = claimOutputs({{options.run.scene}, {options.output, options.run.stats}}, options.run.overwrite);
   const StopSignal stop;
   TraceWatch watch(options.run, loaded.scene.trace.rays, stop);
   const TracedSky traced = traceSky(loaded, cloudOf(loaded.scene), watch.control());
-  const int exit = watch.report(traced);
-  writeTallyExr(options.output == "-" ? "/dev/stdout" : options.output, traced.tally);
+  const int exit = watch.report(traced, outputs);
+  writeTallyExr(outputs.at(options.output), traced.tally);
+  outputs.commit();
   if (!options.run.quiet) say("wrote %s", options.output.c_str());
   return exit;
 }

@@ -56,10 +56,10 @@ TraceControl TraceWatch::control() {
   return control;
 }
 
-int TraceWatch::report(const TracedScene& traced) {
+int TraceWatch::report(const TracedScene& traced, Transaction& outputs) {
   progress_.finish();
   if (!options_.quiet) printLedger(traced.report);
-  if (!options_.stats.empty()) writeStats(options_.stats, traced.settings, traced.report, options_.threads);
+  if (!options_.stats.empty()) writeStats(outputs.at(options_.stats), traced.settings, traced.report, options_.threads);
   return traced.report.interrupted && stop_.requested() ? kInterrupted : kDone;
 }
 

@@ -27,8 +27,7 @@ void RadialFilm::merge(Film& fromThread) {
   auto& other = dynamic_cast<RadialFilm&>(fromThread);
   sky_.merge(other.sky_);
   other.sky_.clear();
-  other.intercepted_.addTo(tally_.info, 1);
-  other.intercepted_ = {};
+  other.intercepted_.moveTo(tally_.info);
 }
 
 }  // namespace parhelion
