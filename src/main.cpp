@@ -45,9 +45,9 @@ int run(int argc, char** argv) {
   return exit;
 }
 
-int fail(const std::string& reason) {
+int fail(const std::string& reason, int code = parhelion::cli::kRunTimeFailure) {
   parhelion::cli::say("parhelion: error: %s", reason.c_str());
-  return parhelion::cli::kRunTimeFailure;
+  return code;
 }
 
 }  // namespace
@@ -62,6 +62,8 @@ int main(int argc, char** argv) {
   } catch (const parhelion::SceneError& error) {
     sayLines(std::string(error.what()) + "\n");
     return kUsageError;
+  } catch (const Unfit& error) {
+    return fail(error.what(), kUsageError);
   } catch (const std::bad_alloc&) {
     return fail("out of memory");
   } catch (const std::exception& error) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <stdexcept>
+
 #include <CLI/CLI.hpp>
 
 namespace parhelion::cli {
@@ -12,6 +14,11 @@ enum ExitCode {
   kUsageError = 2,    // also a scene that cannot be used
   kInterrupted = 75,  // stopped by a signal, a sweep by its time, too; what was traced has been written, of a
                       // reconstruction nothing, of a sweep the finished frames
+};
+
+/// Arguments that do not fit together, or a file of another kind than is wanted: why, in one line.
+struct Unfit : std::runtime_error {
+  using std::runtime_error::runtime_error;
 };
 
 // Each adds one subcommand. Once the command line is parsed, the chosen command runs and stores how it ended in `exit`.

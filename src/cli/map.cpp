@@ -7,10 +7,12 @@
 #include "cli/outputs.h"
 #include "cli/run_options.h"
 #include "cli/tables.h"
+#include "cli/tally_input.h"
 #include "cli/text_output.h"
 #include "cli/trace_watch.h"
 #include "picture/exr.h"
 #include "picture/photograph.h"
+#include "render/measured_tally.h"
 #include "render/measurements.h"
 #include "render/scene_attributes.h"
 
@@ -53,17 +55,38 @@ int runMap(const MapOptions& options, int binsPerHalfTurn) {
   return exit;
 }
 
+/// The table of a tally that was traced before.
+int mapOfTally(const MapOptions& options) {
+  requireMeasured(options.run, TallyKind::map);
+  Transaction outputs = claimOutputs({{options.run.scene}, {options.output}}, options.run.overwrite);
+  const MapTally tally = readMapTally(options.run.scene);
+  const LoadedScene loaded = parseScene(tally.origin.scene, "the scene in " + options.run.scene);
+  if (options.toExr())
+    writeBeautyExr(outputs.at(options.output), mapPicture(tally.sums),
+                   sceneAttributes(loaded, tally.origin.rayCount()));
+  else
+    writeText(outputs.at(options.output), csv(tally.sums));
+  outputs.commit();
+  return kDone;
+}
+
 }  // namespace
 
 void addMap(CLI::App& app, int& exit) {
   auto options = std::make_shared<MapOptions>();
-  CLI::App* command = app.add_subcommand("map", "Light over azimuth and elevation of the whole sphere, as CSV or EXR");
+  CLI::App* command = app.add_subcommand(
+      "map", "Light over azimuth and elevation of the whole sphere, as CSV or EXR, of a scene or a tally");
   options->run.addTo(*command, false);
   command->add_option("--step", options->step, "Size of a bin, degrees; 90 must be a multiple of it")
       ->transform(number(0.01, 90.0));
   command->add_option("-o,--output", options->output, "CSV file, or EXR by its name; - for CSV on stdout")
       ->type_name("FILE");
-  command->callback([options, &exit] {
+  command->callback([options, command, &exit] {
+    if (isTallyFile(options->run.scene)) {
+      if (command->count("--step") > 0) throw Unfit("--step: the bins of a tally are what they are");
+      exit = mapOfTally(*options);
+      return;
+    }
     constexpr double kRounding = 1e-9;  // relative; steps such as 0.1 are not exact in binary
     const double rows = 90.0 / options->step;
     if (std::abs(rows - std::round(rows)) > kRounding * rows)

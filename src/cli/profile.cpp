@@ -9,8 +9,10 @@
 #include "cli/run_options.h"
 #include "cli/stats.h"
 #include "cli/tables.h"
+#include "cli/tally_input.h"
 #include "cli/text_output.h"
 #include "cli/trace_watch.h"
+#include "render/measured_tally.h"
 #include "render/measurements.h"
 
 namespace parhelion::cli {
@@ -69,6 +71,17 @@ int runProfile(const ProfileOptions& options) {
   return exit;
 }
 
+/// The table of a tally that was traced before.
+int profileOfTally(const ProfileOptions& options) {
+  requireMeasured(options.run, TallyKind::profile);
+  Transaction outputs = claimOutputs({{options.run.scene}, {options.output, options.summary}}, options.run.overwrite);
+  const ProfileTally tally = readProfileTally(options.run.scene);
+  writeText(outputs.at(options.output), csv(tally.sums));
+  if (!options.summary.empty()) writeJson(outputs.at(options.summary), json(tally.sums.summary()));
+  outputs.commit();
+  return kDone;
+}
+
 }  // namespace
 
 void addProfile(CLI::App& app, int& exit) {
@@ -84,7 +97,13 @@ void addProfile(CLI::App& app, int& exit) {
   command->add_option("-o,--output", options->output, "CSV file; - for stdout")->type_name("FILE");
   command->add_option("--summary", options->summary, "JSON file of g, delta fraction, energy by order, mean path ...")
       ->type_name("FILE");
-  command->callback([options, &exit] {
+  command->callback([options, command, &exit] {
+    if (isTallyFile(options->run.scene)) {
+      for (const char* bins : {"--bins", "--from", "--to"})
+        if (command->count(bins) > 0) throw Unfit(bins + std::string(": the bins of a tally are what they are"));
+      exit = profileOfTally(*options);
+      return;
+    }
     if (!(options->from < options->to)) throw CLI::ValidationError("--from must be less than --to");
     exit = runProfile(*options);
   });

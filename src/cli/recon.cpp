@@ -93,7 +93,7 @@ void requirePair(const std::string& a, const std::string& b, const Check& check)
   try {
     check();
   } catch (const std::invalid_argument& error) {
-    throw CLI::ValidationError("--compare", a + " and " + b + ": " + error.what());
+    throw Unfit(a + " and " + b + ": " + error.what());
   }
 }
 
@@ -102,7 +102,7 @@ Tally readAlone(const std::string& path) {
   return sumOfTallies(input.files());
 }
 
-/// The tallies of --compare. Throws CLI::ValidationError unless they can be compared with the sky of `tally`.
+/// The tallies of --compare. Throws Unfit unless they can be compared with the sky of `tally`.
 std::vector<Tally> readReferences(const ReconOptions& options, const Tally& tally) {
   const std::vector<std::string>& paths = options.references;
   std::vector<Tally> references;

@@ -12,8 +12,7 @@
 #include <string_view>
 #include <system_error>
 
-#include <CLI/CLI.hpp>
-
+#include "cli/commands.h"
 #include "cli/file_words.h"
 #include "cli/outputs.h"
 #include "cli/say.h"
@@ -79,10 +78,21 @@ bool isTallyFile(const std::string& name) {
   }
 }
 
+void requireMeasured(const RunOptions& options, TallyKind kind) {
+  const TallyKind found = tallyKindOf(options.scene);
+  if (found != kind)
+    throw Unfit(options.scene + ": is the tally of a " + std::string(nameOf(found)) + ", not of a " +
+                std::string(nameOf(kind)));
+  if (!options.rays.empty() || !options.overrides.empty() || !options.seed.empty() || !options.engine.empty() ||
+      !options.sampler.empty() || !options.stats.empty())
+    throw Unfit(options.scene +
+                ": is traced already: -D, --rays, --seed, --engine, --sampler and --stats are for scenes");
+}
+
 void reportMissing(const TallySet& set, bool complete, bool quiet) {
   if (set.missing.empty()) return;
   const std::string words = wordsFor(set.missing) + (countOf(set.missing) == 1 ? " is missing" : " are missing");
-  if (complete) throw CLI::ValidationError("--complete", words);
+  if (complete) throw Unfit(words);
   if (!quiet) say("%s", words.c_str());
 }
 
@@ -90,7 +100,7 @@ TallySet requireFitting(const TallyInputs& inputs) {
   try {
     return fittingTallies(inputs.files());
   } catch (const TallyMisfit& error) {
-    throw CLI::ValidationError("tallies", error.what());
+    throw Unfit(error.what());
   }
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/run_options.h"
 #include "render/tally_sum.h"
 
 namespace parhelion::cli {
@@ -36,10 +37,14 @@ class TallyInputs {
 /// Whether a command is given a tally where it could have a scene.
 bool isTallyFile(const std::string& name);
 
-/// Says on stderr which rays are missing, if some are. With `complete` that is an error: CLI::ValidationError.
+/// For commands that make a table of a tally instead of tracing a scene: throws Unfit if it is the tally of something
+/// else, or if options ask for tracing.
+void requireMeasured(const RunOptions& options, TallyKind kind);
+
+/// Says on stderr which rays are missing, if some are. With `complete` that throws Unfit.
 void reportMissing(const TallySet& set, bool complete, bool quiet);
 
-/// fittingTallies() with CLI::ValidationError for what does not fit.
+/// fittingTallies() with Unfit for what does not fit.
 TallySet requireFitting(const TallyInputs& inputs);
 
 }  // namespace parhelion::cli

@@ -48,18 +48,17 @@ ViewInput readViewInput(const std::string& path, const PhotographRules& rules) {
     input.photograph = readPhotograph(path, rules);
     return input;
   }
-  if (ExrAttributes attributes = readExrAttributes(path); attributes.contains(kTallyKey)) {
+  ExrFrame frame = readExrFrame(path);
+  input.photograph.width = frame.width;
+  input.photograph.height = frame.height;
+  input.photograph.text = std::move(frame.attributes);
+  if (input.photograph.text.contains(kTallyKey)) {
     input.tally = readTallyExr(path);
     input.light = plainRadiance(*input.tally);
-    input.photograph.text = std::move(attributes);
   } else {
-    ExrFile exr = readExr(path, exrColours(rules), rules.editedPictures());
-    requireColours(path, exr.image);
-    input.photograph.text = std::move(exr.attributes);
-    input.light = std::move(exr.image);
+    input.light = readExr(path, exrColours(rules), {true, rules.bytesForUse, rules.editedPictures()}).image;
+    requireColours(path, *input.light);
   }
-  input.photograph.width = input.light->width;
-  input.photograph.height = input.light->height;
   return input;
 }
 
