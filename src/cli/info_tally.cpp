@@ -23,8 +23,9 @@ void printSky(const std::string& path) {
   answer("%s: tally of a sky, %d x %d%s", path.c_str(), tally.width(), tally.height(),
          tally.colours() == 1 ? ", luminance only" : "");
   answer("symmetry: %s", std::string(nameOf(tally.info.symmetry)).c_str());
-  answer("light intercepted: %.10g, undeviated: %.10g; hits: %lld", tally.info.interceptedLight(),
-         tally.info.undeviated.value(), static_cast<long long>(hits));
+  answer("intercepted: %.15g", tally.info.interceptedLight());
+  answer("undeviated: %.15g", tally.info.undeviated.value());
+  answer("hits: %lld", static_cast<long long>(hits));
 }
 
 void printMap(const std::string& path) {

@@ -82,7 +82,7 @@ void addMap(CLI::App& app, int& exit) {
   command->add_option("-o,--output", options->output, "CSV file, or EXR by its name; - for CSV on stdout")
       ->type_name("FILE");
   command->callback([options, command, &exit] {
-    if (isTallyFile(options->run.scene)) {
+    if (isMeasuredTally(options->run.scene)) {
       if (command->count("--step") > 0) throw Unfit("--step: the bins of a tally are what they are");
       exit = mapOfTally(*options);
       return;

@@ -98,7 +98,7 @@ void addProfile(CLI::App& app, int& exit) {
   command->add_option("--summary", options->summary, "JSON file of g, delta fraction, energy by order, mean path ...")
       ->type_name("FILE");
   command->callback([options, command, &exit] {
-    if (isTallyFile(options->run.scene)) {
+    if (isMeasuredTally(options->run.scene)) {
       for (const char* bins : {"--bins", "--from", "--to"})
         if (command->count(bins) > 0) throw Unfit(bins + std::string(": the bins of a tally are what they are"));
       exit = profileOfTally(*options);

@@ -78,6 +78,10 @@ bool isTallyFile(const std::string& name) {
   }
 }
 
+bool isMeasuredTally(const std::string& name) {
+  return isTallyFile(name) && tallyKindOf(std::filesystem::path(name)) != TallyKind::sky;
+}
+
 void requireMeasured(const RunOptions& options, TallyKind kind) {
   const TallyKind found = tallyKindOf(options.scene);
   if (found != kind)

@@ -34,8 +34,11 @@ class TallyInputs {
   std::vector<TallyFile> files_;
 };
 
-/// Whether a command is given a tally where it could have a scene.
+/// Whether a file is a tally, as far as its header tells.
 bool isTallyFile(const std::string& name);
+
+/// Whether it is one of a map or a profile, from which these commands make their tables.
+bool isMeasuredTally(const std::string& name);
 
 /// For commands that make a table of a tally instead of tracing a scene: throws Unfit if it is the tally of something
 /// else, or if options ask for tracing.
