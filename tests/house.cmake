@@ -24,6 +24,7 @@ set(third_party
   "glm/|math,optics,crystal,picture,sky,trace,recon,photo,view"
   "sleef\\.h|math"
   "embree[34]/|trace"
+  "mpi\\.h|render"
   "tbb/|parallel,trace"
   "kissfft/|recon"
   "Imf|picture,sky"
