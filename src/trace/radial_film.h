@@ -22,6 +22,7 @@ class RadialFilm : public Film {
 
   /// Spreads the rings over the tally's pixels, in the place of what was there.
   void finish() override { sky_.spreadOver(tally_); }
+  double fullness() const override { return tally_.fullness(); }
 
  private:
   Tally& tally_;

@@ -27,6 +27,7 @@ class SkyFilm : public Film {
   void merge(Film& fromThread) override;
   void finish() override;
   void reopen() override;
+  double fullness() const override { return tally_.fullness(); }
 
  private:
   /// Through a camera that is its own mirror image, the finished picture makes up for a second view of every exit.
@@ -36,7 +37,8 @@ class SkyFilm : public Film {
         mirrored_(mirrored),
         camera_(tally.info.camera),
         locks_(std::move(locks)),
-        buffer_(tally, locks_) {}
+        buffer_(tally, locks_),
+        folded_(foldsPicture() && !tally.info.rays.empty()) {}
 
   Tally& tally_;
   bool mirrored_;
@@ -47,7 +49,7 @@ class SkyFilm : public Film {
   ByBundle byBundle_;
   SeenLight seen_;
   InterceptedLight intercepted_;
-  bool folded_ = false;  // the tally's picture, by finish(), until reopen()
+  bool folded_;  // the tally's picture, by finish(), until reopen()
 };
 
 }  // namespace parhelion
