@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <cstdio>
 
 #include "cli/commands.h"
 #include "cli/outputs.h"
 #include "cli/run_options.h"
+#include "cli/say.h"
 #include "cli/trace_watch.h"
 #include "sky/tally_exr.h"
 
@@ -24,7 +24,7 @@ int runTrace(const TraceOptions& options) {
   const TracedSky traced = traceSky(loaded, cloudOf(loaded.scene), watch.control());
   const int exit = watch.report(traced);
   writeTallyExr(options.output == "-" ? "/dev/stdout" : options.output, traced.tally);
-  if (!options.run.quiet) std::fprintf(stderr, "wrote %s\n", options.output.c_str());
+  if (!options.run.quiet) say("wrote %s", options.output.c_str());
   return exit;
 }
 
