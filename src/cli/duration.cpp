@@ -2,9 +2,11 @@
 #include "cli/duration.h"
 
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstdio>
+
+#include "cli/number_options.h"
+#include "math/number_text.h"
 
 namespace parhelion::cli {
 
@@ -27,22 +29,15 @@ std::string_view nameAtFront(std::string_view text) {
   return text.substr(0, std::min(text.find_first_of("0123456789."), text.size()));
 }
 
-std::optional<double> numberOf(std::string_view digits) {
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-  if (error != std::errc() || end != digits.data() + digits.size()) return {};
-  return value;
-}
-
 }  // namespace
 
 std::optional<double> secondsIn(std::string_view text) {
-  if (const std::optional<double> plain = numberOf(text)) return std::isfinite(*plain) ? plain : std::nullopt;
+  if (const std::optional<double> plain = numberIn(text)) return plain;
   double sum = 0.0, last = kDay + 1.0;
   while (!text.empty()) {
     const std::string_view digits = numberAtFront(text);
     const std::string_view name = nameAtFront(text.substr(digits.size()));
-    const std::optional<double> value = numberOf(digits);
+    const std::optional<double> value = numberIn(digits);
     const auto* unit = std::find_if(kUnits.begin(), kUnits.end(), [&](const Unit& u) { return u.name == name; });
     // Units come from large to small, each once: 30min1h is more likely a slip.
     if (!value || unit == kUnits.end() || unit->seconds >= last) return {};
@@ -59,8 +54,9 @@ CLI::Validator duration(double least, double most, std::string also) {
         if (!also.empty() && text == also) return {};
         const std::optional<double> seconds = secondsIn(text);
         if (seconds && *seconds >= least && *seconds <= most) return {};
-        return "expected a time from " + durationText(least) + " to " + durationText(most) +
-               " such as 90s, 10min, 2h or 1d" + (also.empty() ? "" : ", or " + also) + ", not '" + text + "'";
+        return expectedNot("a time from " + durationText(least) + " to " + durationText(most) +
+                               " such as 90s, 10min, 2h or 1d" + (also.empty() ? "" : ", or " + also),
+                           text);
       },
       "");
 }

@@ -2,6 +2,7 @@
 #include "cli/long_run.h"
 
 #include <algorithm>
+#include <cinttypes>
 #include <cstdio>
 #include <limits>
 #include <stdexcept>
@@ -13,6 +14,7 @@
 #include "cli/duration.h"
 #include "cli/file_words.h"
 #include "cli/own_files.h"
+#include "cli/say.h"
 #include "cli/stats.h"
 #include "cli/trace_watch.h"
 #include "trace/tracer.h"
@@ -74,7 +76,7 @@ void LongRun::goOnFromTally() {
       throw CLI::ValidationError("--resume", path.string() + " " + misfit->message);
   try {
     const Resumed resumed = resumeFrom(file, sums_);
-    for (const std::string& remark : resumed.remarks) say("--resume: " + remark);
+    for (const std::string& remark : resumed.remarks) tell("--resume: " + remark);
     keepsPrevious_ = resumed.from != previousOf(file) || task_.checkpoint != file;
     takeOutCutBundles(sums_, task_.wanted, task_.cloud, task_.settings);
   } catch (const std::invalid_argument& error) {
@@ -88,7 +90,7 @@ void LongRun::sayWhatIsMissing(const RayRanges& missing) {
     text += "and all are there";
   else
     text += std::to_string(countOf(missing)) + (heldBefore_ > 0 ? " of them are missing" : " of them");
-  say(text);
+  tell(text);
 }
 
 RunControl LongRun::control() {
@@ -127,13 +129,13 @@ std::string LongRun::progressLine(Progress::Style style, double done, double sec
 }
 
 void LongRun::checkpointOnTheWay() {
-  if (task_.checkpoint.empty()) return say("SIGUSR1: there is no file for a checkpoint");
+  if (task_.checkpoint.empty()) return tell("SIGUSR1: there is no file for a checkpoint");
   if (!tryCheckpoint()) return;
   wroteCheckpoint_ = true;
   const Readable rays = readable(static_cast<double>(sums_.origin().rayCount()));
   char text[64];
   std::snprintf(text, sizeof text, "checkpoint: %.4g%s rays in ", rays.value, rays.suffix);
-  say(text + task_.checkpoint.string());
+  tell(text + task_.checkpoint.string());
 }
 
 /// A run that can go on is worth more than a checkpoint of it: failures are told, once.
@@ -147,7 +149,7 @@ bool LongRun::tryCheckpoint() {
   } catch (const std::runtime_error& error) {
     if (!failed_) {
       progress_.finish();
-      std::fprintf(stderr, "parhelion: warning: no checkpoint: %s\n", error.what());
+      say("parhelion: warning: no checkpoint: %s", error.what());
     }
     failed_ = true;
   }
@@ -159,15 +161,17 @@ void LongRun::writeLastCheckpoint() {
                          report_.end == RunEnd::stopped;
   if (task_.checkpoint.empty() || !leavesOne || !tryCheckpoint()) return;
   isSaved_ = true;
-  say("wrote " + task_.checkpoint.string());
+  tell("wrote " + task_.checkpoint.string());
 }
 
 void LongRun::report(Transaction& outputs) const {
   const std::uint64_t held = sums_.origin().rayCount();
   if (!task_.run.quiet) {
     printLedger(report_);
-    if (held != report_.rays) std::fprintf(stderr, "with those traced before %llu rays\n", static_cast<unsigned long long>(held));
-    if (report_.error) std::fprintf(stderr, "error: %s%s\n", percent(*report_.error).c_str(), report_.end == RunEnd::goodEnough ? "" : ", more than was asked for");
+    if (held != report_.rays) say("with those traced before %" PRIu64 " rays", held);
+    if (report_.error)
+      say("error: %s%s", percent(*report_.error).c_str(),
+                          *report_.error <= task_.longRun.goal() ? "" : ", more than was asked for");
   }
   if (task_.run.stats.empty()) return;
   nlohmann::ordered_json json = statsJson(task_.settings, report_, task_.run.threads);
@@ -184,9 +188,9 @@ int LongRun::exitCode() const {
   return report_.end == RunEnd::stopped ? kInterrupted : kDone;
 }
 
-void LongRun::say(const std::string& text) {
+void LongRun::tell(const std::string& text) {
   progress_.finish();
-  if (!task_.run.quiet) std::fprintf(stderr, "%s\n", text.c_str());
+  if (!task_.run.quiet) say("%s", text.c_str());
 }
 
 }  // namespace parhelion::cli

@@ -65,7 +65,7 @@ class LongRun {
   std::optional<double> measureError();
   void checkpointOnTheWay();
   bool tryCheckpoint();
-  void say(const std::string& text);
+  void tell(const std::string& text);
 
   LongRunTask task_;
   RunSums& sums_;

@@ -1,25 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/long_run_options.h"
 
-#include <charconv>
 #include <stdexcept>
 #include <utility>
 
 #include "cli/duration.h"
+#include "cli/number_options.h"
+#include "math/number_text.h"
 #include "render/wanted_rays.h"
 
 namespace parhelion::cli {
 
 namespace {
 
-constexpr std::uint64_t kMostSlices = 1'000'000'000;
-
-std::optional<std::uint64_t> wholeNumberIn(std::string_view text) {
-  std::uint64_t value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) return {};
-  return value;
-}
+constexpr std::int64_t kMostSlices = 1'000'000'000;
 
 /// The number of a slice and how many there are.
 std::optional<std::pair<std::uint64_t, std::uint64_t>> sliceIn(std::string_view text) {
@@ -27,7 +21,7 @@ std::optional<std::pair<std::uint64_t, std::uint64_t>> sliceIn(std::string_view 
   if (slash == std::string_view::npos) return {};
   const auto i = wholeNumberIn(text.substr(0, slash)), count = wholeNumberIn(text.substr(slash + 1));
   if (!i || !count || *i < 1 || *i > *count || *count > kMostSlices) return {};
-  return std::pair(*i, *count);
+  return std::pair(static_cast<std::uint64_t>(*i), static_cast<std::uint64_t>(*count));
 }
 
 /// The number of a ray: 0, or what --rays understands.
@@ -49,15 +43,13 @@ std::optional<RayRange> rangeIn(std::string_view text) {
 std::optional<double> shareIn(std::string_view text) {
   const bool percent = text.ends_with('%');
   if (percent) text.remove_suffix(1);
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) return {};
-  return percent ? value / 100.0 : value;
+  const std::optional<double> value = numberIn(text);
+  return value && percent ? *value / 100.0 : value;
 }
 
 CLI::Validator check(std::string expected, bool (*isGood)(std::string_view)) {
   return CLI::Validator(
-      [=](const std::string& text) { return isGood(text) ? "" : "expected " + expected + ", not '" + text + "'"; }, "");
+      [=](const std::string& text) { return isGood(text) ? std::string() : expectedNot(expected, text); }, "");
 }
 
 bool isError(std::string_view text) {
