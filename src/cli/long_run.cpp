@@ -157,14 +157,14 @@ bool LongRun::tryCheckpoint() {
 }
 
 void LongRun::writeLastCheckpoint() {
-  const bool leavesOne = task_.longRun.asksForCheckpoints() || !task_.longRun.resume.empty() || wroteCheckpoint_ ||
-                         report_.end == RunEnd::stopped;
+  const bool leavesOne =
+      task_.longRun.leavesCheckpoint() || wroteCheckpoint_ || report_.end == RunEnd::stopped;
   if (task_.checkpoint.empty() || !leavesOne || !tryCheckpoint()) return;
   isSaved_ = true;
   tell("wrote " + task_.checkpoint.string());
 }
 
-void LongRun::report(Transaction& outputs) const {
+void LongRun::report() const {
   const std::uint64_t held = sums_.origin().rayCount();
   if (!task_.run.quiet) {
     printLedger(report_);
@@ -180,7 +180,16 @@ void LongRun::report(Transaction& outputs) const {
   for (const RayRange& range : sums_.origin().rays) json["ray_ranges"].push_back({range.first, range.end()});
   json["ended_by"] = wordFor(report_.end);
   if (report_.error) json["error"] = *report_.error;
-  writeJson(outputs.at(task_.run.stats), json);
+  writeJson(task_.run.stats, json);
+}
+
+void LongRun::writeSums(const std::string& output) {
+  const bool isCheckpoint = !task_.checkpoint.empty() && (wroteCheckpoint_ || task_.longRun.asksForCheckpoints());
+  if (isCheckpoint)
+    writeCheckpoint(output, sums_, keepsPrevious_);
+  else
+    sums_.write(output == "-" ? "/dev/stdout" : output);
+  failed_ = false;
 }
 
 int LongRun::exitCode() const {

@@ -10,7 +10,6 @@
 #include "cli/progress.h"
 #include "cli/run_options.h"
 #include "cli/stop_signal.h"
-#include "picture/transaction.h"
 #include "render/run_sums.h"
 #include "render/tracing_run.h"
 
@@ -38,8 +37,11 @@ class LongRun {
   /// damaged, or the run fails.
   void trace();
 
-  /// After trace(): prints the energy ledger and writes the stats file as one of the outputs.
-  void report(Transaction& outputs) const;
+  /// After trace(): prints the energy ledger and writes the stats file.
+  void report() const;
+
+  /// Writes the sums as an output of the command, - being stdout. Throws std::runtime_error.
+  void writeSums(const std::string& output);
 
   /// Writes the last checkpoint, if this is a run that leaves one and its output is not the checkpoint itself. A file
   /// that cannot be written is one warning.
@@ -52,9 +54,6 @@ class LongRun {
   int exitCode() const;
 
   const RunReport& result() const { return report_; }
-
-  /// Whether the checkpoint file is to keep the one before.
-  bool keepsPrevious() const { return !task_.checkpoint.empty() && (wroteCheckpoint_ || task_.longRun.asksForCheckpoints()); }
 
  private:
   void goOnFromTally();

@@ -32,6 +32,9 @@ struct LongRunOptions {
   bool hasCheckpoints() const { return checkpoint != "none"; }
   bool asksForCheckpoints() const { return !checkpoint.empty() && hasCheckpoints(); }
 
+  /// Whether a run leaves a checkpoint, however it ends.
+  bool leavesCheckpoint() const { return asksForCheckpoints() || (!resume.empty() && hasCheckpoints()); }
+
   /// Seconds between checkpoints; none: as chosen.
   std::optional<double> interval() const;
 

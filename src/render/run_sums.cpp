@@ -43,10 +43,11 @@ std::filesystem::path previousOf(const std::filesystem::path& checkpoint) {
 }
 
 void writeCheckpoint(const std::filesystem::path& path, const RunSums& sums, bool keepsPrevious) {
-  Transaction files;
-  sums.write(files.at(path));
+  std::filesystem::path fresh = path;
+  fresh += ".new";
+  sums.write(fresh);
   if (keepsPrevious) keepAs(previousOf(path), path);
-  files.commit();
+  std::filesystem::rename(fresh, path);
 }
 
 Resumed resumeFrom(const std::filesystem::path& checkpoint, RunSums& sums) {

@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "picture/transaction.h"
 #include "sky/tally_info.h"
 #include "trace/cloud.h"
 #include "trace/film.h"
@@ -29,7 +28,7 @@ class RunSums {
   virtual void read(const std::filesystem::path& path) = 0;
 
   /// Writes them so that read() gives them back, bit for bit. The film's result must be made (Film::finish()).
-  virtual void write(const Output& file) const = 0;
+  virtual void write(const std::filesystem::path& file) const = 0;
 
   /// Empty ones of the same kind.
   virtual std::unique_ptr<RunSums> empty() const = 0;
