@@ -25,7 +25,7 @@ double BundleBins::fullness() const {
 }
 
 double BundleBins::error(int bin, std::uint64_t bundles) const {
-  const double sum = light(bin), squares = squares_[bin].value() * (ExactSum::kScale / kSquareScale);
+  const double sum = light(bin), squares = squares_[bin].value();
   return bundles > 0 ? std::sqrt(std::max(0.0, squares - sum * sum / static_cast<double>(bundles))) : 0.0;
 }
 

@@ -61,7 +61,7 @@ class BundleBins {
 
  private:
   std::vector<std::int64_t> sums_;
-  std::vector<ExactSum> squares_;  // their units are those of kSquareScale
+  std::vector<SquareTotal> squares_;
 };
 
 }  // namespace parhelion
