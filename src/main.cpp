@@ -13,6 +13,7 @@
 
 #include "cli/commands.h"
 #include "cli/complaint.h"
+#include "cli/say.h"
 #include "scene/scene_error.h"
 
 namespace {
@@ -30,32 +31,23 @@ int run(int argc, char** argv) {
   CLI::App app("Parhelion renders the halos that ice crystals draw around the sun.", "parhelion");
   app.set_version_flag("--version", "parhelion " PARHELION_VERSION);
   app.require_subcommand(1);
-  app.failure_message(complaint);
 
   int exit = kDone;
-  addRender(app, exit);
-  addTrace(app, exit);
-  addRecon(app, exit);
-  addComposite(app, exit);
-  addSweep(app, exit);
-  addView(app, exit);
-  addProfile(app, exit);
-  addMap(app, exit);
-  addReplay(app, exit);
-  addInfo(app, exit);
-  addCheck(app, exit);
-  addSchema(app, exit);
+  addCommands(app, exit);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? kDone : kUsageError;
+    if (error.get_exit_code() == 0) return app.exit(error);  // the help
+    say("parhelion: error: %s", complaint(&app, error).c_str());
+    say("(--help lists what there is)");
+    return kUsageError;
   }
   return exit;
 }
 
-int fail(const char* what, int code) {
-  std::fprintf(stderr, "%s\n", what);
-  return code;
+int fail(const std::string& reason) {
+  parhelion::cli::say("parhelion: error: %s", reason.c_str());
+  return parhelion::cli::kRunTimeFailure;
 }
 
 }  // namespace
@@ -65,14 +57,14 @@ int main(int argc, char** argv) {
   flushDenormals();
   try {
     const int code = run(argc, argv);
-    if (std::fflush(stdout) != 0 || std::ferror(stdout))
-      return fail((std::string("parhelion: error: stdout: ") + std::strerror(errno)).c_str(), kRunTimeFailure);
+    if (std::fflush(stdout) != 0 || std::ferror(stdout)) return fail(std::string("stdout: ") + std::strerror(errno));
     return code;
   } catch (const parhelion::SceneError& error) {
-    return fail(error.what(), kUsageError);
+    sayLines(std::string(error.what()) + "\n");
+    return kUsageError;
   } catch (const std::bad_alloc&) {
-    return fail("parhelion: error: out of memory", kRunTimeFailure);
+    return fail("out of memory");
   } catch (const std::exception& error) {
-    return fail((std::string("parhelion: error: ") + error.what()).c_str(), kRunTimeFailure);
+    return fail(error.what());
   }
 }

@@ -23,6 +23,7 @@ set(may_main cli scene)
 set(third_party
   "glm/|math,optics,crystal,picture,sky,trace,recon,photo,view"
   "sleef\\.h|math"
+  "xxhash\\.h|math"
   "embree[34]/|trace"
   "mpi\\.h|render"
   "tbb/|parallel,trace"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <cstdio>
 
 #include "cli/commands.h"
 #include "cli/run_options.h"
+#include "cli/say.h"
 #include "cli/scene_input.h"
 
 namespace parhelion::cli {
@@ -20,9 +20,9 @@ int runCheck(const CheckOptions& options) {
   for (const std::string& path : options.scenes) {
     try {
       loadSceneOf(path, options.overrides);
-      std::printf("%s: ok\n", path.c_str());
+      answer("%s: ok", path.c_str());
     } catch (const SceneError& error) {
-      std::fprintf(stderr, "%s\n", error.what());
+      sayLines(std::string(error.what()) + "\n");
       exit = kUsageError;
     }
   }

@@ -28,4 +28,7 @@ void addInfo(CLI::App& app, int& exit);
 void addCheck(CLI::App& app, int& exit);
 void addSchema(CLI::App& app, int& exit);
 
+/// Adds them all.
+void addCommands(CLI::App& app, int& exit);
+
 }  // namespace parhelion::cli

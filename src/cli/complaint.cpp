@@ -5,14 +5,12 @@
 #include <string_view>
 #include <vector>
 
+#include "cli/say.h"
 #include "scene/suggest.h"
-#include "scene/utf8.h"
 
 namespace parhelion::cli {
 
 namespace {
-
-constexpr std::size_t kMostOfWord = 100;  // characters of a word
 
 std::string withHint(const std::string& text, const std::string& hint) {
   return hint.empty() ? text : text + "; " + hint;
@@ -41,8 +39,7 @@ std::string ownersOf(const CLI::App& app, const std::string& option) {
 
 std::string ofOption(const CLI::App& app, const CLI::App& command, const std::string& said) {
   const std::string option = said.substr(0, said.find('='));
-  const std::string text =
-      "unknown option '" + printable(option, kMostOfWord) + "'" + (&command == &app ? "" : " of " + command.get_name());
+  const std::string text = "unknown option " + inQuotes(option) + (&command == &app ? "" : " of " + command.get_name());
   const std::string owners = ownersOf(app, option);
   const std::vector<std::string> names = optionsOf(command);
   const std::string near = didYouMean(option, std::vector<std::string_view>(names.begin(), names.end()));
@@ -53,7 +50,7 @@ std::string ofCommand(const CLI::App& app, const std::string& said) {
   std::vector<std::string_view> commands;
   const auto all = app.get_subcommands({});
   for (const CLI::App* command : all) commands.push_back(command->get_name());
-  return withHint("unknown command '" + printable(said, kMostOfWord) + "'", didYouMean(said, commands));
+  return withHint("unknown command " + inQuotes(said), didYouMean(said, commands));
 }
 
 /// Of the words that nobody has asked for.
@@ -68,7 +65,7 @@ std::string ofExtras(const CLI::App& app) {
                                    [](const std::string& word) { return word.size() > 1 && word.starts_with('-'); });
   if (option != words.end()) return ofOption(app, command, *option);
   if (chosen.empty()) return ofCommand(app, words.front());
-  return command.get_name() + " does not expect '" + printable(words.front(), kMostOfWord) + "'";
+  return command.get_name() + " does not expect " + inQuotes(words.front());
 }
 
 }  // namespace
@@ -77,7 +74,7 @@ std::string complaint(const CLI::App* app, const CLI::Error& error) {
   // CLI11 complains of what is missing first: "A subcommand is required" where one is misspelt.
   const bool ofWords = dynamic_cast<const CLI::RequiredError*>(&error) || dynamic_cast<const CLI::ExtrasError*>(&error);
   const std::string extras = ofWords ? ofExtras(*app) : "";
-  return "parhelion: error: " + (extras.empty() ? error.what() : extras) + "\n(--help lists what there is)\n";
+  return extras.empty() ? error.what() : extras;
 }
 
 }  // namespace parhelion::cli

@@ -7,8 +7,8 @@
 
 namespace parhelion::cli {
 
-/// What the program says of a command line that it cannot use: what was wrong in one line, with a suggestion where a
-/// word is nearly a command or an option, and where to look.
+/// What is wrong with a command line that the program cannot use, in one line, with a suggestion where a word is nearly
+/// a command or an option.
 std::string complaint(const CLI::App* app, const CLI::Error& error);
 
 }  // namespace parhelion::cli

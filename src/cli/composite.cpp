@@ -7,8 +7,10 @@
 #include "cli/commands.h"
 #include "cli/file_words.h"
 #include "cli/halo_options.h"
+#include "cli/number_options.h"
 #include "cli/outputs.h"
 #include "cli/photo_options.h"
+#include "cli/say.h"
 #include "parallel/threads.h"
 #include "photo/found_mask.h"
 #include "photo/sky_match.h"
@@ -35,17 +37,14 @@ struct CompositeOptions {
 
 /// "1,0.9,0.8", positive; none where it is anything else.
 std::optional<Vec3> colour(const std::string& text) {
-  Vec3 rgb;
-  int length = 0;
-  if (std::sscanf(text.c_str(), "%lf,%lf,%lf%n", &rgb.x, &rgb.y, &rgb.z, &length) != 3) return std::nullopt;
-  const bool whole = length == static_cast<int>(text.size());
-  return whole && rgb.x > 0.0 && rgb.y > 0.0 && rgb.z > 0.0 && std::isfinite(rgb.x + rgb.y + rgb.z) ? std::optional(rgb)
-                                                                                                    : std::nullopt;
+  const std::vector<double> rgb = numbersIn(text, ",,");
+  if (rgb.empty() || !(rgb[0] > 0.0 && rgb[1] > 0.0 && rgb[2] > 0.0)) return std::nullopt;
+  return Vec3(rgb[0], rgb[1], rgb[2]);
 }
 
 std::string validWhite(const std::string& text) {
   if (text == "sun" || text == "sky" || colour(text)) return {};
-  return "expected sun, sky or R,G,B (positive numbers), not '" + text + "'";
+  return expectedNot("sun, sky or R,G,B (positive numbers)", text);
 }
 
 void requireSense(const CompositeOptions& options) {
@@ -82,24 +81,25 @@ HaloStrengthSettings strengthSettings(const CompositeOptions& options) {
   return settings;
 }
 
-void say(const std::vector<std::string>& remarks, bool quiet) {
+void sayAll(const std::vector<std::string>& remarks, bool quiet) {
   if (quiet) return;
-  for (const std::string& remark : remarks) std::fprintf(stderr, "%s\n", remark.c_str());
+  for (const std::string& remark : remarks) say("%s", remark.c_str());
 }
 
 void report(const CompositeOptions& options, double pixels, const AddedHaloReport& done) {
-  std::fprintf(stderr, "the halo touches %.1f %% of the picture", 100.0 * static_cast<double>(done.touched) / pixels);
-  if (done.clipped > 0)
-    std::fprintf(stderr, ", %.2f %% becomes whiter than white and is clipped",
-                 100.0 * static_cast<double>(done.clipped) / pixels);
-  if (done.uncovered > 0)
-    std::fprintf(stderr, "; %.1f %% is sky that the halo's picture does not reach",
-                 100.0 * static_cast<double>(done.uncovered) / pixels);
-  std::fprintf(stderr, "\nwrote %s", options.output.c_str());
+  const auto share = [pixels](const char* format, std::size_t count) {
+    char text[100];
+    std::snprintf(text, sizeof text, format, 100.0 * static_cast<double>(count) / pixels);
+    return count > 0 ? std::string(text) : std::string();
+  };
+  say("the halo touches %.1f %% of the picture%s%s", 100.0 * static_cast<double>(done.touched) / pixels,
+      share(", %.2f %% becomes whiter than white and is clipped", done.clipped).c_str(),
+      share("; %.1f %% is sky that the halo's picture does not reach", done.uncovered).c_str());
   if (options.findsSky())
-    std::fprintf(stderr, " and the sky found in it, %s (correct it and give it back with --mask)",
-                 options.foundMask().c_str());
-  std::fprintf(stderr, "\n");
+    say("wrote %s and the sky found in it, %s (correct it and give it back with --mask)", options.output.c_str(),
+        options.foundMask().c_str());
+  else
+    say("wrote %s", options.output.c_str());
 }
 
 int runComposite(const CompositeOptions& options) {
@@ -111,13 +111,13 @@ int runComposite(const CompositeOptions& options) {
   if (!options.mask.empty()) requireFit(options.mask, Wanted::photograph);
   Photograph photograph = readPhotograph(options.photo, options.camera.rules());
   const PhotoCamera camera = options.camera.camera(photograph, options.photo, options.halo.sunElevation());
-  say(camera.remarks, quiet);
+  sayAll(camera.remarks, quiet);
 
   const SkyMask mask = maskOf(options, photograph, camera);
   const auto [halo, exit] = options.halo.make(camera, stop);
   const HaloStrength strength =
       haloStrength(strengthSettings(options), photograph, mask, camera.camera, camera.sunElevation, halo.lookup);
-  say(strength.remarks, quiet);
+  sayAll(strength.remarks, quiet);
 
   CompositeFiles files{options.photo, options.output, options.layers, {}};
   if (options.findsSky()) files.foundMask = options.foundMask();
@@ -147,12 +147,12 @@ void addComposite(CLI::App& app, int& exit) {
   command->add_flag("--all-sky", options->allSky, "Take all of the picture for sky");
   command->add_option("--strength", options->strength, "Linear samples per radiance (1/sr) of the halo")
       ->type_name("FACTOR")
-      ->check(number(0.0, 1e12));
+      ->transform(number(0.0, 1e12));
   command
       ->add_option("--contrast", options->contrast,
                    "Instead: luminance of the halo's bright parts over that of the sky around the sun; 0.5")
       ->type_name("SHARE")
-      ->check(number(0.0, 1e6));
+      ->transform(number(0.0, 1e6));
   command
       ->add_option("--white", options->white,
                    "Colour of white in the halo: neutral, that of the photograph's sky, or any")

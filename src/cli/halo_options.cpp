@@ -3,6 +3,7 @@
 
 #include "cli/commands.h"
 #include "cli/file_words.h"
+#include "cli/number_options.h"
 #include "cli/trace_watch.h"
 
 namespace parhelion::cli {
@@ -16,7 +17,7 @@ void HaloOptions::addTo(CLI::App& command) {
       .add_option("--coarseness", coarseness,
                   "Side of the halo's pixels in the photograph's; a tenth of the sun's disc when left out")
       ->type_name("N")
-      ->check(CLI::Range(1, 64));
+      ->transform(wholeNumber(1, 64));
   run.addTracingTo(command, true);
 }
 

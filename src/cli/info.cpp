@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 
 #include "cli/commands.h"
 #include "cli/info_photograph.h"
+#include "cli/say.h"
 #include "cli/scene_input.h"
 #include "picture/exr.h"
 #include "picture/file_kind.h"
@@ -13,7 +13,6 @@
 #include "render/scene_attributes.h"
 #include "scene/describe.h"
 #include "scene/parse_scene.h"
-#include "scene/utf8.h"
 
 namespace parhelion::cli {
 
@@ -32,23 +31,24 @@ void printChannel(const Channel& channel) {
     greatest = std::max(greatest, sample);
     sum += sample;
   }
-  std::printf("channel %-12s min %-12g mean %-12g max %g\n", printable(channel.name, kMostShown).c_str(), least,
-              sum / static_cast<double>(channel.samples.size()), greatest);
+  answer("channel %-12s min %-12g mean %-12g max %g", shortened(channel.name).c_str(), least,
+         sum / static_cast<double>(channel.samples.size()), greatest);
 }
 
 int infoExr(const std::string& path) {
   const ExrFile exr = readExr(path, ExrColours::asStored);
-  std::printf("%s: EXR, %d x %d\n", path.c_str(), exr.image.width, exr.image.height);
+  answer("%s: EXR, %d x %d", path.c_str(), exr.image.width, exr.image.height);
   for (const Channel& channel : exr.image.channels) printChannel(channel);
   printTexts(exr.attributes, path);
   return kDone;
 }
 
-/// Prints the scene that a picture or a tally carries, without what would act on a terminal: no scene has that.
+/// Prints the scene that a picture or a tally carries. What would act on a terminal is escaped wherever it goes: no
+/// scene has control characters, and in a string the escape stands for the same text.
 int printScene(const std::string& path, const std::map<std::string, std::string>& text) {
   const auto scene = text.find(kSceneKey);
   if (scene == text.end()) throw std::runtime_error(path + ": holds no scene");
-  std::fputs(printableLines(scene->second).c_str(), stdout);
+  answerLines(scene->second);
   return kDone;
 }
 
@@ -59,7 +59,7 @@ int runInfo(const InfoOptions& options) {
     return kind.family == FileKind::Family::exr ? infoExr(options.file) : infoPhotograph(options.file, kind);
   }
   const LoadedScene loaded = loadSceneOf(options.file);
-  std::fputs((options.sceneOnly ? loaded.text : describeScene(loaded.scene)).c_str(), stdout);
+  answerLines(options.sceneOnly ? loaded.text : describeScene(loaded.scene));
   return kDone;
 }
 

@@ -2,12 +2,12 @@
 #include "cli/info_photograph.h"
 
 #include <cmath>
-#include <cstdio>
 #include <stdexcept>
 #include <variant>
 #include <vector>
 
 #include "cli/commands.h"
+#include "cli/say.h"
 #include "photo/lens_from_exif.h"
 #include "picture/photograph.h"
 #include "picture/picture_text.h"
@@ -15,7 +15,6 @@
 #include "render/scene_attributes.h"
 #include "scene/describe.h"
 #include "scene/parse_scene.h"
-#include "scene/utf8.h"
 #include "sky/camera.h"
 
 namespace parhelion::cli {
@@ -36,9 +35,8 @@ std::string dateIn(std::string taken) {
 /// Degrees along the sides, through the middle of the picture.
 void printFieldOfView(const Photograph& photograph, double focalPixels) {
   const auto across = [&](int side) { return degrees(2.0 * std::atan(0.5 * side / focalPixels)); };
-  std::printf("field of view: %.1f x %.1f degrees if rectilinear, as of %.3g mm on 35 mm film\n",
-              across(photograph.width), across(photograph.height),
-              equivalentOnFilm(focalPixels, photograph.width, photograph.height));
+  answer("field of view: %.1f x %.1f degrees if rectilinear, as of %.3g mm on 35 mm film", across(photograph.width),
+         across(photograph.height), equivalentOnFilm(focalPixels, photograph.width, photograph.height));
 }
 
 /// Of a picture of ours without Exif there is nothing to say: its camera is that of its scene.
@@ -46,12 +44,12 @@ void printLens(const Photograph& photograph, bool isOurs) {
   try {
     const auto lens = lensFromExif(photograph.exif, photograph.width, photograph.height);
     if (!lens && !isOurs)
-      std::printf("lens: Exif does not tell; composite and view ask for --fov-horizontal or --focal-35mm\n");
+      answer("lens: Exif does not tell; composite and view ask for --fov-horizontal or --focal-35mm");
     if (!lens) return;
-    std::printf("lens: %s\n", lens->source.c_str());
+    answer("lens: %s", lens->source.c_str());
     printFieldOfView(photograph, lens->focalPixels);
   } catch (const std::invalid_argument& error) {
-    std::printf("lens: %s\n", error.what());
+    answer("lens: %s", error.what());
   }
 }
 
@@ -59,25 +57,24 @@ void printLens(const Photograph& photograph, bool isOurs) {
 
 void printTexts(const std::map<std::string, std::string>& text, const std::string& path) {
   for (const auto& [key, value] : text)
-    if (key != kSceneKey)
-      std::printf("%s: %s\n", printable(key, kMostShown).c_str(), printable(value, kMostShown).c_str());
+    if (key != kSceneKey) answer("%s: %s", shortened(key).c_str(), shortened(value).c_str());
   const auto scene = text.find(kSceneKey);
   if (scene == text.end()) return;
-  std::printf("made from the scene (print it with --scene):\n");
-  std::fputs(describeScene(parseScene(scene->second, path).scene).c_str(), stdout);
+  answer("made from the scene (print it with --scene):");
+  answerLines(describeScene(parseScene(scene->second, path).scene));
 }
 
 int infoPhotograph(const std::string& path, const FileKind& kind) {
   const Photograph photograph = readPhotograph(path, {true});
   const bool isJpeg = kind.family == FileKind::Family::jpeg;
-  std::printf("%s: %s, %d x %d, %d bits%s\n", path.c_str(), isJpeg ? "JPEG" : "PNG", photograph.width,
-              photograph.height, bitsOf(photograph.samples), photograph.channels == 4 ? ", with alpha" : "");
+  answer("%s: %s, %d x %d, %d bits%s", path.c_str(), isJpeg ? "JPEG" : "PNG", photograph.width, photograph.height,
+         bitsOf(photograph.samples), photograph.channels == 4 ? ", with alpha" : "");
   const Exif& exif = photograph.exif;
   if (!exif.make.empty() || !exif.model.empty()) {
     const bool repeats = exif.model.starts_with(exif.make);
-    std::printf("camera: %s\n", (repeats ? exif.model : exif.make + " " + exif.model).c_str());
+    answer("camera: %s", (repeats ? exif.model : exif.make + " " + exif.model).c_str());
   }
-  if (const std::string date = dateIn(exif.taken); !date.empty()) std::printf("taken: %s\n", date.c_str());
+  if (const std::string date = dateIn(exif.taken); !date.empty()) answer("taken: %s", date.c_str());
   const std::map<std::string, std::string> text = isJpeg ? readPictureText(path) : photograph.text;
   printLens(photograph, saysParhelion(text));
   printTexts(text, path);

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cstddef>
 #include <map>
 #include <string>
 
 #include "picture/file_kind.h"
 
 namespace parhelion::cli {
-
-inline constexpr std::size_t kMostShown = 500;  // characters of a text that somebody has put into a file
 
 /// Prints the texts of a picture and, if there is one among them, what its scene holds. `path` is for messages.
 void printTexts(const std::map<std::string, std::string>& text, const std::string& path);

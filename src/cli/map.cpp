@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "cli/commands.h"
+#include "cli/number_options.h"
 #include "cli/outputs.h"
 #include "cli/run_options.h"
 #include "cli/tables.h"
@@ -58,7 +59,7 @@ void addMap(CLI::App& app, int& exit) {
   CLI::App* command = app.add_subcommand("map", "Light over azimuth and elevation of the whole sphere, as CSV or EXR");
   options->run.addTo(*command, false);
   command->add_option("--step", options->step, "Size of a bin, degrees; 90 must be a multiple of it")
-      ->check(number(0.01, 90.0));
+      ->transform(number(0.01, 90.0));
   command->add_option("-o,--output", options->output, "CSV file, or EXR by its name; - for CSV on stdout")
       ->type_name("FILE");
   command->callback([options, &exit] {

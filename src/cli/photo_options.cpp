@@ -5,7 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "cli/number_list.h"
+#include "cli/number_options.h"
 #include "cli/run_options.h"
 #include "math/names.h"
 #include "render/scene_attributes.h"
@@ -18,7 +18,7 @@ namespace {
 CLI::Validator pattern(std::string separators, std::string expected) {
   return CLI::Validator(
       [=](const std::string& text) -> std::string {
-        return numbersIn(text, separators).empty() ? "expected " + expected + ", not '" + text + "'" : "";
+        return numbersIn(text, separators).empty() ? expectedNot(expected, text) : "";
       },
       "");
 }
@@ -32,7 +32,7 @@ std::vector<double> coefficients(const std::string& text) {
 CLI::Validator distortionPattern() {
   return CLI::Validator(
       [](const std::string& text) -> std::string {
-        return coefficients(text).empty() ? "expected K1, K1,K2 or K1,K2,K3, not '" + text + "'" : "";
+        return coefficients(text).empty() ? expectedNot("K1, K1,K2 or K1,K2,K3", text) : "";
       },
       "");
 }
@@ -64,7 +64,7 @@ bool hasShapeOf(const Photograph& photograph, const CameraSettings& camera) {
 
 void PhotoOptions::addTo(CLI::App& command) {
   const auto angle = [&](const char* name, std::optional<double>& value, const char* about, double least, double most) {
-    command.add_option(name, value, about)->type_name("DEG")->check(number(least, most));
+    command.add_option(name, value, about)->type_name("DEG")->transform(number(least, most));
   };
   command.add_option("--projection", projection, "The photograph's lens, as in scenes; rectilinear when left out")
       ->type_name("NAME")
@@ -74,7 +74,7 @@ void PhotoOptions::addTo(CLI::App& command) {
   angle("--fov-diagonal", fovDiagonal, "Field of view from corner to corner", 0.1, 360.0);
   command.add_option("--focal-35mm", focal35mm, "Focal length as on 35 mm film, instead of a field of view")
       ->type_name("MM")
-      ->check(number(1.0, 10000.0));
+      ->transform(number(1.0, 10000.0));
   angle("--image-circle", imageCircle, "Full angle that a fisheye covers", 1.0, 360.0);
   command.add_option("--distortion", distortion, "Radial distortion of the lens; see camera.distortion of a scene")
       ->type_name("K1[,K2[,K3]]")

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/picture.h"
 
-#include <cstdio>
 #include <filesystem>
 #include <system_error>
 
+#include "cli/number_options.h"
 #include "cli/outputs.h"
 #include "cli/run_options.h"
+#include "cli/say.h"
 #include "math/names.h"
 #include "picture/atomic_file.h"
 #include "picture/photograph.h"
@@ -31,7 +32,7 @@ void PictureOptions::addTo(CLI::App& command) {
       ->type_name("FILE");
   command.add_option("--exposure", exposure, "Exposure of the preview; chosen by the picture when left out")
       ->type_name("STOPS")
-      ->check(number(-100.0, 100.0));
+      ->transform(number(-100.0, 100.0));
   addGamut(command, gamut);
 }
 
@@ -71,11 +72,9 @@ void writePicture(ReconstructedSky sky, const TallyInfo& info, const LoadedScene
   const SkyFiles files = options.files(input);
   const WrittenSky written = writeSkyFiles(files, std::move(sky.image), info, loaded);
   if (quiet) return;
-  for (const std::string& remark : sky.remarks) std::fprintf(stderr, "recon: %s\n", remark.c_str());
-  std::fprintf(stderr, "wrote %s and %s (exposure %s)\n", files.exr.c_str(), files.png.c_str(),
-               exposureText(written.exposure).c_str());
-  if (written.badPixels > 0)
-    std::fprintf(stderr, "%zu pixels are not finite and black in the preview\n", written.badPixels);
+  for (const std::string& remark : sky.remarks) say("recon: %s", remark.c_str());
+  say("wrote %s and %s (exposure %s)", files.exr.c_str(), files.png.c_str(), exposureText(written.exposure).c_str());
+  if (written.badPixels > 0) say("%zu pixels are not finite and black in the preview", written.badPixels);
 }
 
 }  // namespace parhelion::cli

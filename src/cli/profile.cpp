@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/commands.h"
+#include "cli/number_options.h"
 #include "cli/outputs.h"
 #include "cli/run_options.h"
 #include "cli/stats.h"
@@ -74,9 +75,10 @@ void addProfile(CLI::App& app, int& exit) {
       "profile",
       "Light over the scattering angle, from each ray's own point of the sun, as CSV, and what follows from it");
   options->run.addTo(*command, false);
-  command->add_option("--bins", options->bins, "Equal bins between --from and --to")->check(CLI::Range(1, 10'000'000));
-  command->add_option("--from", options->from, "First scattering angle, degrees")->check(number(0.0, 180.0));
-  command->add_option("--to", options->to, "Last scattering angle, degrees")->check(number(0.0, 180.0));
+  command->add_option("--bins", options->bins, "Equal bins between --from and --to")
+      ->transform(wholeNumber(1, 10'000'000));
+  command->add_option("--from", options->from, "First scattering angle, degrees")->transform(number(0.0, 180.0));
+  command->add_option("--to", options->to, "Last scattering angle, degrees")->transform(number(0.0, 180.0));
   command->add_option("-o,--output", options->output, "CSV file; - for stdout")->type_name("FILE");
   command->add_option("--summary", options->summary, "JSON file of g, delta fraction, energy by order, mean path ...")
       ->type_name("FILE");

@@ -9,10 +9,12 @@
 
 #include "cli/commands.h"
 #include "cli/file_words.h"
+#include "cli/number_options.h"
 #include "cli/outputs.h"
 #include "cli/picture.h"
 #include "cli/progress.h"
 #include "cli/run_options.h"
+#include "cli/say.h"
 #include "cli/stats.h"
 #include "cli/stop_signal.h"
 #include "cli/text_output.h"
@@ -189,7 +191,7 @@ int runRecon(const ReconOptions& options) {
   try {
     run = timedReconstruction(options, tally, loaded.scene.recon);
   } catch (const ReconStopped&) {
-    std::fprintf(stderr, "interrupted: nothing was written\n");
+    say("interrupted: nothing was written");
     return kInterrupted;
   }
   // Before the sun is drawn.
@@ -203,7 +205,7 @@ int runRecon(const ReconOptions& options) {
 /// For CLI11: -D may change what is still to be done, the reconstruction.
 std::string validOverride(const std::string& text) {
   if (text.starts_with("recon.")) return {};
-  return "the tally is traced already: only keys of recon can be overridden, not '" + text + "'";
+  return expectedNot("a key of recon, the rest being traced already", text);
 }
 
 void addOptions(CLI::App& command, ReconOptions& options) {
@@ -230,10 +232,10 @@ void addOptions(CLI::App& command, ReconOptions& options) {
   addOverwrite(command, options.overwrite);
   command.add_option("--nthreads", options.threads, "Threads; as many as there are processors when left out")
       ->type_name("N")
-      ->check(CLI::Range(1, 4096));
+      ->transform(wholeNumber(1, kMostThreads));
   command.add_flag("--quiet", options.quiet, "Nothing on stderr");
   command.add_option("--progress", options.progress, "Progress as lines of JSON, for farms")
-      ->check(CLI::IsMember({"auto", "json"}));
+      ->check(oneOf({"auto", "json"}));
 }
 
 }  // namespace

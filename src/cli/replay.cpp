@@ -4,7 +4,9 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/commands.h"
+#include "cli/number_options.h"
 #include "cli/run_options.h"
+#include "cli/say.h"
 #include "cli/scene_input.h"
 #include "math/rotation.h"
 #include "render/measurements.h"
@@ -86,20 +88,22 @@ nlohmann::ordered_json pathJson(const LightPath& path, const std::string& popula
 
 void printPath(const LightPath& path, const std::string& population) {
   const IncidentRay& ray = path.incident;
-  std::printf("# ray %llu: population '%s', %.3f nm, n = %.6f\n", static_cast<unsigned long long>(ray.index),
-              population.c_str(), ray.light.wavelength, ray.iceIndex);
+  answer("# ray %llu: population '%s', %.3f nm, n = %.6f", static_cast<unsigned long long>(ray.index),
+         population.c_str(), ray.light.wavelength, ray.iceIndex);
   auto exit = path.exits.begin();
   for (const Encounter& hit : path.encounters) {
     const Vec3& dir = hit.energyStaying > 0.0 ? hit.stayingDir : hit.leavingDir;
-    std::printf("hit %d face %d at (%.6f, %.6f, %.6f) then (%.6f, %.6f, %.6f) leaving %.6g", hit.order, hit.faceNumber,
-                hit.point.x, hit.point.y, hit.point.z, dir.x, dir.y, dir.z, hit.energyLeaving);
+    std::string leaves;
     if (hit.energyLeaving > 0.0 && exit != path.exits.end()) {
       const SkyPoint point = skyPoint(-exit->lightDirWorld);
-      std::printf(" to azimuth %.4f elevation %.4f by %s%s", degrees(point.azimuth), degrees(point.elevation),
-                  raypath(path, hit.order).c_str(), exit->undeviated ? " (undeviated)" : "");
+      char to[80];
+      std::snprintf(to, sizeof to, " to azimuth %.4f elevation %.4f by ", degrees(point.azimuth),
+                    degrees(point.elevation));
+      leaves = to + raypath(path, hit.order) + (exit->undeviated ? " (undeviated)" : "");
       ++exit;
     }
-    std::printf("\n");
+    answer("hit %d face %d at (%.6f, %.6f, %.6f) then (%.6f, %.6f, %.6f) leaving %.6g%s", hit.order, hit.faceNumber,
+           hit.point.x, hit.point.y, hit.point.z, dir.x, dir.y, dir.z, hit.energyLeaving, leaves.c_str());
   }
 }
 
@@ -109,7 +113,7 @@ int runReplay(const ReplayOptions& options) {
   const LightPath path = replayRay(scene, cloud, options.ray);
   const std::string& population = cloud.populations()[path.incident.population].name();
   if (options.json)
-    std::printf("%s\n", pathJson(path, population).dump(2).c_str());
+    answerLines(pathJson(path, population).dump(2) + "\n");
   else
     printPath(path, population);
   return kDone;
@@ -126,7 +130,7 @@ void addReplay(CLI::App& app, int& exit) {
   command->add_option("--ray", options->ray, "Index of the ray, from 0")
       ->required()
       ->type_name("N")
-      ->check(wholeNumber());
+      ->transform(wholeNumber());
   command->add_flag("--json", options->json, "The same as JSON");
   command->callback([options, &exit] { exit = runReplay(*options); });
 }

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/run_options.h"
 
-#include <charconv>
-#include <cstdio>
+#include <cstdint>
+#include <optional>
 
+#include "cli/number_options.h"
 #include "cli/outputs.h"
 #include "cli/scene_input.h"
+#include "math/number_text.h"
+#include "picture/image.h"
 #include "scene/suggest.h"
 
 namespace parhelion::cli {
@@ -18,7 +21,7 @@ std::string validRays(const std::string& text) {
     parseRayCount(text);
     return {};
   } catch (const std::exception& error) {
-    return error.what();
+    return expectedNot(error.what(), text);
   }
 }
 
@@ -32,37 +35,16 @@ std::string choices() {
 
 /// Complains unless `text` is WIDTHxHEIGHT.
 std::string validResolution(const std::string& text) {
-  int width = 0, height = 0, length = 0;
-  const int parsed = std::sscanf(text.c_str(), "%dx%d%n", &width, &height, &length);
-  if (parsed == 2 && length == static_cast<int>(text.size()) && width > 0 && height > 0) return {};
-  return "expected WIDTHxHEIGHT in pixels, for one 1920x1080, not '" + text + "'";
+  const std::size_t x = text.find('x');
+  const auto isSide = [](std::optional<std::int64_t> side) { return side && *side >= 1 && *side <= kMaxImageSide; };
+  const std::string_view all = text;
+  if (x != std::string::npos && isSide(wholeNumberIn(all.substr(0, x))) && isSide(wholeNumberIn(all.substr(x + 1))))
+    return {};
+  return expectedNot("WIDTHxHEIGHT in pixels, up to " + std::to_string(kMaxImageSide) + " each, for one 1920x1080",
+                     text);
 }
 
 }  // namespace
-
-CLI::Validator wholeNumber() {
-  return CLI::Validator(
-      [](const std::string& text) -> std::string {
-        std::int64_t value = -1;
-        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-        if (error == std::errc() && end == text.data() + text.size() && value >= 0) return {};
-        return "expected a whole number from 0 to 9223372036854775807, not '" + text + "'";
-      },
-      "");
-}
-
-CLI::Validator number(double least, double most) {
-  return CLI::Validator(
-      [=](const std::string& text) -> std::string {
-        double value = 0.0;
-        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-        if (error == std::errc() && end == text.data() + text.size() && value >= least && value <= most) return {};
-        char expected[100];
-        std::snprintf(expected, sizeof expected, "expected a number from %g to %g, not '", least, most);
-        return expected + text + "'";
-      },
-      "");
-}
 
 CLI::Validator fileOfKind(std::vector<std::string> extensions, std::string expected) {
   return CLI::Validator(
@@ -70,7 +52,7 @@ CLI::Validator fileOfKind(std::vector<std::string> extensions, std::string expec
         const std::string small = CLI::detail::to_lower(text);
         for (const std::string& extension : extensions)
           if (small.ends_with(extension)) return {};
-        return "expected the name of a " + expected + " file, not '" + text + "'";
+        return expectedNot("the name of a " + expected + " file", text);
       },
       "");
 }
@@ -84,7 +66,7 @@ CLI::Validator oneOf(std::vector<std::string_view> accepted) {
           all += (all.empty() ? "" : ", ") + std::string(name);
         }
         const std::string hint = didYouMean(text, accepted);
-        return "expected one of " + all + ", not '" + text + "'" + (hint.empty() ? "" : "; " + hint);
+        return expectedNot("one of " + all, text) + (hint.empty() ? "" : "; " + hint);
       },
       "");
 }
@@ -110,7 +92,7 @@ void RunOptions::addTracingTo(CLI::App& command, bool hasImage) {
   command.add_option("--rays", rays, "Incident rays, all wavelengths together; k, M and G are understood")
       ->type_name("N")
       ->check(CLI::Validator(validRays, ""));
-  command.add_option("--seed", seed, "Seed of the random numbers")->type_name("N")->check(wholeNumber());
+  command.add_option("--seed", seed, "Seed of the random numbers")->type_name("N")->transform(wholeNumber());
   command.add_option("--engine", engine, "What finds the next face of a crystal")
       ->type_name(choices<Engine>())
       ->check(nameOfOne<Engine>());
@@ -123,16 +105,15 @@ void RunOptions::addTracingTo(CLI::App& command, bool hasImage) {
         ->check(nameOfOne<Symmetry>());
   command.add_option("--time", timeLimit, "Stop after this many seconds, whatever has been traced")
       ->type_name("SECONDS")
-      ->check(number(1e-3, 1e9));
+      ->transform(number(1e-3, 1e9));
   command.add_option("--nthreads", threads, "Threads; as many as there are processors when left out")
       ->type_name("N")
-      ->check(CLI::Range(1, 4096));
+      ->transform(wholeNumber(1, kMostThreads));
   command.add_option("--simd", simd, "Vector registers to use; the picture is the same with all of them")
       ->type_name(choices<Simd>())
       ->check(nameOfOne<Simd>());
   command.add_flag("--quiet", quiet, "No progress and no ledger on stderr");
-  command.add_option("--progress", progress, "Progress as lines of JSON, for farms")
-      ->check(CLI::IsMember({"auto", "json"}));
+  command.add_option("--progress", progress, "Progress as lines of JSON, for farms")->check(oneOf({"auto", "json"}));
   command.add_option("--stats", stats, "Write the run's figures as JSON")->type_name("FILE");
   addOverwrite(command, overwrite);
 }

@@ -43,12 +43,12 @@ struct RunOptions {
   mutable std::optional<std::string> sceneText_;  // read once: a pipe gives it only once
 };
 
+inline constexpr int kMostThreads = 4096;
+
 /// Adds -D key=value, which overrides a key of the scene, to a subcommand.
 void addOverrides(CLI::App& command, std::vector<std::string>& overrides);
 
 // For CLI11's options: checks that say in one line what was expected.
-CLI::Validator wholeNumber();  // from 0, as far as a scene file can hold it
-CLI::Validator number(double least, double most);
 
 /// A file name with one of the extensions (".png"), in small or capital letters.
 CLI::Validator fileOfKind(std::vector<std::string> extensions, std::string expected);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/schema.h"
-
-#include <cstdio>
+#include "cli/say.h"
 
 #include "cli/commands.h"
 
@@ -9,7 +8,7 @@ namespace parhelion::cli {
 
 void addSchema(CLI::App& app, int&) {
   CLI::App* command = app.add_subcommand("schema", "Print the JSON Schema of scene files, for editors");
-  command->callback([] { std::fputs(sceneSchema().c_str(), stdout); });
+  command->callback([] { answerLines(sceneSchema()); });
 }
 
 }  // namespace parhelion::cli

@@ -2,7 +2,6 @@
 #include "cli/stats.h"
 
 #include <cmath>
-#include <cstdio>
 #include <thread>
 
 #include <sys/resource.h>
@@ -10,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/progress.h"
+#include "cli/say.h"
 #include "cli/text_output.h"
 #include "math/names.h"
 
@@ -26,16 +26,17 @@ void printLedger(const TraceReport& report) {
   const double in = energy.in.value(), per = in > 0.0 ? 1.0 / in : 0.0;
   const double rays = static_cast<double>(report.rays);
   const Readable count = readable(rays), speed = readable(report.seconds > 0.0 ? rays / report.seconds : 0.0);
-  std::fprintf(stderr, "%.6g%s rays in %.2f s, %.3g%s rays/s, %.2f hits and %.2f deposits a ray\n", count.value,
-               count.suffix, report.seconds, speed.value, speed.suffix, static_cast<double>(report.hits) / rays,
-               static_cast<double>(report.deposits) / rays);
-  if (report.interrupted) std::fprintf(stderr, "interrupted: stopped before all rays were traced\n");
-  std::fprintf(stderr, "energy: in 1 = out %.9f + absorbed %g + cut off %.3g + lost %.3g, open by %.1e\n",
-               energy.out.value() * per, energy.absorbed.value() * per, energy.cutOff.value() * per,
-               energy.lost.value() * per, std::abs(energy.imbalance()));
+  if (report.rays == 0) return say("no rays were traced");
+  say("%.6g%s rays in %.2f s, %.3g%s rays/s, %.2f hits and %.2f deposits a ray", count.value, count.suffix,
+      report.seconds, speed.value, speed.suffix, static_cast<double>(report.hits) / rays,
+      static_cast<double>(report.deposits) / rays);
+  if (report.interrupted) say("interrupted: stopped before all rays were traced");
+  say("energy: in 1 = out %.9f + absorbed %g + cut off %.3g + lost %.3g, open by %.1e", energy.out.value() * per,
+      energy.absorbed.value() * per, energy.cutOff.value() * per, energy.lost.value() * per,
+      std::abs(energy.imbalance()));
 }
 
-void writeStats(const std::string& path, const TraceSettings& settings, const TraceReport& report, int threads) {
+nlohmann::ordered_json statsJson(const TraceSettings& settings, const TraceReport& report, int threads) {
   const ProcessUsage usage = processUsage();
   const double rays = static_cast<double>(report.rays);
   nlohmann::ordered_json json;
@@ -62,7 +63,7 @@ void writeStats(const std::string& path, const TraceSettings& settings, const Tr
                     {"cut_off", report.energy.cutOff.value()},
                     {"lost", report.energy.lost.value()}};
   json["interrupted"] = report.interrupted;
-  writeJson(path, json);
+  return json;
 }
 
 ProcessUsage processUsage() {

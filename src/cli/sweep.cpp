@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <cstdio>
 
 #include "cli/commands.h"
+#include "cli/number_options.h"
 #include "cli/outputs.h"
 #include "cli/picture.h"
 #include "cli/run_options.h"
+#include "cli/say.h"
 #include "cli/trace_watch.h"
 #include "render/sky_files.h"
 #include "render/sweep.h"
@@ -76,20 +77,19 @@ void requireOutputsOf(const SweepOptions& options, const std::vector<SweepFrame>
 void reportPlan(const std::vector<SweepFrame>& frames) {
   const auto isLacking = [](const SweepFrame& frame) { return !frame.lacks.empty(); };
   const auto lacking = static_cast<std::size_t>(std::count_if(frames.begin(), frames.end(), isLacking));
-  std::fprintf(stderr, "%zu frames: %zu skipped, %zu to render", frames.size(), frames.size() - lacking, lacking);
   const auto firstLacking = std::find_if(frames.begin(), frames.end(), isLacking);
-  if (firstLacking != frames.end())
-    std::fprintf(stderr, " (%s: %s)", firstLacking->exr.c_str(), firstLacking->lacks.c_str());
-  std::fputc('\n', stderr);
+  std::string reason;
+  if (firstLacking != frames.end()) reason = " (" + firstLacking->exr.string() + ": " + firstLacking->lacks + ")";
+  say("%zu frames: %zu skipped, %zu to render%s", frames.size(), frames.size() - lacking, lacking, reason.c_str());
 }
 
 void reportFrame(const RunOptions& run, const SweepFrame& frame, std::size_t number, std::size_t count,
                  double seconds) {
   if (run.quiet) return;
   if (run.progress == "json")
-    std::fprintf(stderr, "{\"frame\": %zu, \"of\": %zu, \"seconds\": %.3f}\n", number, count, seconds);
+    say("{\"frame\": %zu, \"of\": %zu, \"seconds\": %.3f}", number, count, seconds);
   else
-    std::fprintf(stderr, "frame %zu of %zu: %s, %.1f s\n", number, count, frame.valuesText().c_str(), seconds);
+    say("frame %zu of %zu: %s, %.1f s", number, count, frame.valuesText().c_str(), seconds);
 }
 
 /// Renders what is lacking. False if a signal or the time limit, which is for the whole sweep, came first.
@@ -100,7 +100,7 @@ bool renderLacking(const RunOptions& run, const std::vector<SweepFrame>& frames,
   };
   const SweepReport report = renderFrames(frames, control);
   if (report.complete && report.rendered > 0 && !run.quiet)
-    std::fprintf(stderr, "energy: open by at most %.1e in any frame\n", report.worstImbalance);
+    say("energy: open by at most %.1e in any frame", report.worstImbalance);
   return report.complete && !stop.requested();
 }
 
@@ -108,11 +108,9 @@ bool renderLacking(const RunOptions& run, const std::vector<SweepFrame>& frames,
 bool makePreviews(const SweepOptions& options, const std::vector<SweepFrame>& frames, const StopSignal& stop) {
   const auto written = writePreviews(frames, {options.exposure, options.contactSheet, &stop.requested()});
   if (!written || options.run.quiet) return written.has_value();
-  std::fprintf(stderr, "previews of %zu frames at exposure %s%s\n", frames.size(),
-               exposureText(written->exposure).c_str(),
-               options.exposure ? "" : ", the median of what the frames would choose");
-  if (written->badPixels > 0)
-    std::fprintf(stderr, "%zu pixels are not finite and black in the previews\n", written->badPixels);
+  say("previews of %zu frames at exposure %s%s", frames.size(), exposureText(written->exposure).c_str(),
+      options.exposure ? "" : ", the median of what the frames would choose");
+  if (written->badPixels > 0) say("%zu pixels are not finite and black in the previews", written->badPixels);
   return true;
 }
 
@@ -123,7 +121,7 @@ void reportWritten(const SweepOptions& options, const std::vector<SweepFrame>& f
   text += frames.front().exr.string();
   if (count > 1) text += " to " + frames.back().exr.string();
   if (!options.contactSheet.empty()) text += ", and " + options.contactSheet;
-  std::fprintf(stderr, "%s\n", text.c_str());
+  say("%s", text.c_str());
 }
 
 int runSweep(const SweepOptions& options) {
@@ -139,7 +137,7 @@ int runSweep(const SweepOptions& options) {
     if (!options.run.quiet) reportWritten(options, frames);
     return kDone;
   }
-  std::fprintf(stderr, "interrupted: finished frames stay, the same command goes on from them\n");
+  say("interrupted: finished frames stay, the same command goes on from them");
   return kInterrupted;
 }
 
@@ -160,12 +158,12 @@ void addOptions(CLI::App& command, SweepOptions& options) {
                   "The frames, numbered by %d or, with zeros before, %04d; a PNG stands beside each")
       ->required()
       ->type_name("FRAME_%04d.exr");
-  command.add_option("--first", options.first, "Number of the first frame")->check(CLI::Range(0, 1'000'000'000));
+  command.add_option("--first", options.first, "Number of the first frame")->transform(wholeNumber(0, 1'000'000'000));
   command
       .add_option("--exposure", options.exposure,
                   "Exposure of all previews; the median of what the frames would choose when left out")
       ->type_name("STOPS")
-      ->check(number(-100.0, 100.0));
+      ->transform(number(-100.0, 100.0));
   addGamut(command, options.gamut);
   command.add_option("--contact-sheet", options.contactSheet, "All frames small on one picture, with their values")
       ->type_name("FILE.png")

@@ -2,10 +2,13 @@
 #include <cstdio>
 
 #include "cli/commands.h"
+#include "cli/long_run.h"
 #include "cli/outputs.h"
-#include "cli/run_options.h"
-#include "cli/trace_watch.h"
-#include "sky/tally_exr.h"
+#include "cli/say.h"
+#include "render/sky_sums.h"
+#include "sky/camera.h"
+#include "sky/picture_error.h"
+#include "sky/radiance.h"
 
 namespace parhelion::cli {
 
@@ -13,19 +16,33 @@ namespace {
 
 struct TraceOptions {
   RunOptions run;
-  std::string output;
+  LongRunOptions longRun;
+  std::string output;  // empty: the tally that is gone on from
 };
 
+double plainError(const Tally& tally) {
+  return pictureError(plainRadiance(tally), Camera(tally.info.camera).solidAngles());
+}
+
 int runTrace(const TraceOptions& options) {
+  const std::string& output = options.output.empty() ? options.longRun.resume : options.output;
+  if (output.empty()) throw CLI::RequiredError("-o FILE, or --resume FILE,");
   const LoadedScene loaded = options.run.load();
-  requireOutputs({{options.run.scene}, {options.output, options.run.stats}}, options.run.overwrite);
+  const Cloud cloud = cloudOf(loaded.scene);
+  const TraceSettings settings = chosenSettings(cloud, loaded.scene.trace);
+  const RayRange wanted = options.longRun.wanted(settings.rays, cloud.bundleSize(), options.run);
+  requireOutputs({{options.run.scene}, {output, options.run.stats}}, options.run.overwrite);
   const StopSignal stop;
-  TraceWatch watch(options.run, loaded.scene.trace.rays, stop);
-  const TracedSky traced = traceSky(loaded, cloudOf(loaded.scene), watch.control());
-  const int exit = watch.report(traced);
-  writeTallyExr(options.output == "-" ? "/dev/stdout" : options.output, traced.tally);
-  if (!options.run.quiet) std::fprintf(stderr, "wrote %s\n", options.output.c_str());
-  return exit;
+  SkySums sums(loaded, cloud);
+  const std::string checkpoint = isStream(output) ? "" : output;
+  LongRun run({options.run, options.longRun, cloud, settings, wanted, checkpoint,
+               [&] { return std::optional(plainError(sums.tally())); }},
+              sums, stop);
+  run.trace();
+  run.report();
+  run.writeSums(output);
+  if (!options.run.quiet) say("wrote %s", output.c_str());
+  return run.exitCode();
 }
 
 }  // namespace
@@ -35,7 +52,11 @@ void addTrace(CLI::App& app, int& exit) {
   CLI::App* command =
       app.add_subcommand("trace", "Trace a scene into a tally EXR: exact sums a pixel, not yet a picture");
   options->run.addTo(*command, true);
-  command->add_option("-o,--output", options->output, "The tally, an EXR; - for stdout")->type_name("FILE")->required();
+  options->longRun.addTo(*command, "the tally", true);
+  command
+      ->add_option("-o,--output", options->output,
+                   "The tally, an EXR; - for stdout; that of --resume when left out")
+      ->type_name("FILE");
   command->callback([options, &exit] { exit = runTrace(*options); });
 }
 

@@ -7,6 +7,7 @@
 
 #include "cli/commands.h"
 #include "cli/outputs.h"
+#include "cli/say.h"
 #include "cli/view_input.h"
 #include "cli/view_options.h"
 #include "cli/view_profile.h"
@@ -111,7 +112,7 @@ LineArt linesOver(const ViewInput& input, const PhotoCamera& camera, const ViewO
   Crystals crystals;
   if (settings.halos) crystals = crystalsOf(input, options);
   settings.makers = std::move(crystals.makers);
-  if (!options.quiet && !crystals.remark.empty()) std::fprintf(stderr, "%s\n", crystals.remark.c_str());
+  if (!options.quiet && !crystals.remark.empty()) say("%s", crystals.remark.c_str());
   return drawOverlay(camera.camera, camera.sunElevation, refractiveIndex(crystals.ice, kEyesWavelength), settings);
 }
 
@@ -203,7 +204,7 @@ void writeView(View view, const ViewInput& input, const ViewOptions& options) {
   if (options.reduction > 1) photograph = reduced(photograph, options.reduction);
   writePhotograph(options.output, photograph, said);
   if (options.quiet) return;
-  for (const std::string& remark : view.remarks) std::fprintf(stderr, "%s\n", remark.c_str());
+  for (const std::string& remark : view.remarks) say("%s", remark.c_str());
 }
 
 /// Reads the second picture, if there is one. Throws for options that have no meaning for what is in the files.
@@ -223,9 +224,9 @@ std::vector<PhotoCamera> camerasOf(const std::vector<ViewInput>& pictures, const
   for (std::size_t i = 1; i < pictures.size() && options.minus.empty(); ++i)
     cameras.push_back(cameraOf(pictures[i], options, &cameras[0]));
   if (options.quiet) return cameras;
-  for (const std::string& remark : cameras[0].remarks) std::fprintf(stderr, "%s\n", remark.c_str());
+  for (const std::string& remark : cameras[0].remarks) say("%s", remark.c_str());
   if (pictures[0].scene() && !options.photo.given())
-    std::fprintf(stderr, "camera and sun of the scene in %s\n", pictures[0].sceneFile.c_str());
+    say("camera and sun of the scene in %s", pictures[0].sceneFile.c_str());
   return cameras;
 }
 
@@ -278,7 +279,7 @@ int runView(const ViewOptions& options) {
   else
     profileView(std::move(pictures), options);
   for (const std::string& output : outputs)
-    if (!output.empty() && output != "-" && !options.quiet) std::fprintf(stderr, "wrote %s\n", output.c_str());
+    if (!output.empty() && output != "-" && !options.quiet) say("wrote %s", output.c_str());
   return kDone;
 }
 

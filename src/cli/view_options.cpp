@@ -3,7 +3,7 @@
 
 #include <sstream>
 
-#include "cli/number_list.h"
+#include "cli/number_options.h"
 #include "cli/outputs.h"
 #include "cli/run_options.h"
 #include "math/names.h"
@@ -22,7 +22,7 @@ std::string validCircles(const std::string& text) {
   const std::vector<double> radii = commaSeparated(text);
   bool good = !radii.empty();
   for (const double radius : radii) good = good && radius > 0.0 && radius < 180.0;
-  return good ? "" : "expected radii in degrees, for one 22,46, not '" + text + "'";
+  return good ? "" : expectedNot("radii in degrees, for one 22,46", text);
 }
 
 /// The words between commas.
@@ -45,7 +45,7 @@ std::string validUnsharp(const std::string& text) {
   const std::vector<double> pair = commaSeparated(text);
   const bool good =
       pair.size() == 2 && pair[0] >= 0.0 && pair[0] <= kMostAmount && pair[1] >= kLeastRadius && pair[1] <= kMaxBlur;
-  return good ? "" : "expected AMOUNT,RADIUS, for one 3,20 (radius 0.1 to 4096 pixels), not '" + text + "'";
+  return good ? "" : expectedNot("AMOUNT,RADIUS, for one 3,20 (radius 0.1 to 4096 pixels)", text);
 }
 
 void refuse(bool mistake, const char* option, const char* reason) {
@@ -65,22 +65,22 @@ void addFilters(CLI::App& command, ViewOptions& o) {
       ->allow_extra_args(false);
   command.add_option("--reduce", o.reduction, "Make the view smaller: averages of N x N pixels, in linear light")
       ->type_name("N")
-      ->check(CLI::Range(1, 64));
+      ->transform(wholeNumber(1, 64));
   command.add_option("--minus", o.minus, "Take the linear light of a second picture off: mid-grey is no difference")
       ->type_name("OTHER");
   command.add_option("--gain", o.gain, "Of --red-minus-blue and --minus; chosen by the picture when left out")
       ->type_name("FACTOR")
-      ->check(number(0.0, 1e12));
+      ->transform(number(0.0, 1e12));
   command.add_flag("--dots", o.dots,
                    "Black dots on white where a tally was hit: the input is one that trace has written");
   command
       .add_option("--dot-size", o.dotSize,
                   "Pixels across a dot; 1 when left out, more in pictures of more than 1600 pixels")
       ->type_name("PX")
-      ->check(CLI::Range(1, kMaxDotSize));
+      ->transform(wholeNumber(1, kMaxDotSize));
   command.add_option("--exposure", o.exposure, "Exposure of linear light; chosen by the picture when left out")
       ->type_name("STOPS")
-      ->check(number(-100.0, 100.0));
+      ->transform(number(-100.0, 100.0));
   command.add_option("--mask", o.mask, "White where the input shows sky, for --profile and --red-minus-blue")
       ->type_name("FILE");
 }
@@ -91,7 +91,7 @@ void addLines(CLI::App& command, ViewOptions& o) {
       ->type_name("[DEG]")
       ->expected(0, 1)
       ->default_str("10")
-      ->check(number(1.0, 90.0));
+      ->transform(number(1.0, 90.0));
   command.add_option("--circles", o.circles, "Circles about the sun")
       ->type_name("[DEG,DEG...]")
       ->expected(0, 1)
@@ -128,13 +128,13 @@ void addProfile(CLI::App& command, ViewOptions& o) {
       ->check(fileOfKind({".svg", ".png"}, ".svg or .png"));
   command.add_option("--bin", o.bin, "Width of the profile's bins; 0.25 when left out")
       ->type_name("DEG")
-      ->check(number(1e-3, 180.0));
+      ->transform(number(1e-3, 180.0));
   command.add_option("--from", o.from, "Where the profile begins; 0 when left out")
       ->type_name("DEG")
-      ->check(number(0.0, 180.0));
+      ->transform(number(0.0, 180.0));
   command.add_option("--to", o.to, "Where the profile ends; 60 when left out")
       ->type_name("DEG")
-      ->check(number(0.0, 180.0));
+      ->transform(number(0.0, 180.0));
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ constexpr int kBlock = 16;           // pixels: near neighbours err alike
 template <class F>
 Plane radiance(const SkyMeans& sky, const Tally& tally, const F& light) {
   Plane plane(tally.width(), tally.height());
-  const double perLight = tally.info.intercepted > 0 ? 1.0 / tally.info.interceptedLight() : 0.0;
+  const double perLight = tally.info.intercepted.units() > 0 ? 1.0 / tally.info.interceptedLight() : 0.0;
   for (std::size_t i = 0; i < plane.size(); ++i)
     if (sky.omega[i] > 0.0) plane[i] = perLight * light(static_cast<int>(i)) / sky.omega[i];
   return plane;

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/traced_sky.h"
 
+#include "scene/traced_keys.h"
 #include "trace/engine.h"
 #include "trace/expose.h"
+#include "trace/numerics.h"
 
 namespace parhelion {
 
@@ -17,8 +19,12 @@ TraceSettings chosenSettings(const Cloud& cloud, const TraceSettings& asked) {
 
 Tally emptyTally(const LoadedScene& loaded, const Cloud& cloud) {
   const Scene& scene = loaded.scene;
+  const TraceSettings chosen = chosenSettings(cloud, scene.trace);
   TallyInfo info;
-  info.seed = scene.trace.seed;
+  info.sceneHash = hashOf(talliedKeys(scene, chosen));
+  info.numerics = kNumericsVersion;
+  info.seed = chosen.seed;
+  info.symmetry = countingOf(chosen.symmetry);
   info.white = cloud.spectrum().white();
   info.sunElevation = scene.sun.elevation;
   info.sunDiameter = scene.sun.diameter;

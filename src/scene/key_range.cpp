@@ -2,11 +2,11 @@
 #include "scene/key_range.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <stdexcept>
 
+#include "math/number_text.h"
 #include "math/range.h"
 #include "scene/utf8.h"
 
@@ -36,12 +36,9 @@ std::vector<double> numbers(std::string_view text, const std::vector<std::string
   std::vector<double> all;
   for (const std::string_view part : parts) {
     const std::string_view digits = trimmed(part);
-    const char* const end = digits.data() + digits.size();
-    double value = 0.0;
-    const auto [stop, error] = std::from_chars(digits.data(), end, value);
-    if (error != std::errc() || stop != end || !std::isfinite(value))
-      refuse(text, "'" + std::string(digits) + "' is not a number; expected key=from:to:step or key=a,b,c");
-    all.push_back(value);
+    const std::optional<double> value = numberIn(digits);
+    if (!value) refuse(text, "'" + std::string(digits) + "' is not a number; expected key=from:to:step or key=a,b,c");
+    all.push_back(*value);
   }
   return all;
 }

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <charconv>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
+#include "math/number_text.h"
 #include "scene/parse_scene.h"
 
 namespace parhelion {
@@ -19,14 +20,12 @@ std::uint64_t parseRayCount(std::string_view text) {
   if (suffix != std::string_view::npos)
     number.replace(number.size() - 1, 1, std::string("e").append(std::to_string(3 * (suffix / 2 + 1))));
 
-  double rays = 0.0;
-  const char* const end = number.data() + number.size();
-  const auto parsed = std::from_chars(number.data(), end, rays);
-  const bool isNumber = parsed.ec == std::errc{} && parsed.ptr == end;
-  if (!isNumber || !(rays >= 1.0 && rays <= static_cast<double>(kMaxRays)) || rays != std::floor(rays)) {
+  const bool plain = !number.starts_with('+');  // as the schema has it
+  const std::optional<double> rays = plain ? numberIn(number) : std::nullopt;
+  if (!rays || !(*rays >= 1.0 && *rays <= static_cast<double>(kMaxRays)) || *rays != std::floor(*rays)) {
     throw std::invalid_argument(expected);
   }
-  return static_cast<std::uint64_t>(rays);
+  return static_cast<std::uint64_t>(*rays);
 }
 
 }  // namespace parhelion

@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "scene/utf8.h"
+
 namespace parhelion {
 
 namespace {
@@ -10,10 +12,10 @@ namespace {
 std::string reportOf(const std::vector<Diagnostic>& diagnostics) {
   std::string report;
   for (const Diagnostic& d : diagnostics) {
-    report += d.file;
+    report += escaped(d.file);
     if (d.line > 0) report += ':' + std::to_string(d.line) + ':' + std::to_string(d.column);
-    report += ": error: " + d.message + '\n' + d.excerpt;
-    if (!d.hint.empty()) report += "      " + d.hint + '\n';
+    report += ": error: " + escaped(d.message) + '\n' + d.excerpt;
+    if (!d.hint.empty()) report += "      " + escaped(d.hint) + '\n';
   }
   if (!report.empty()) report.pop_back();  // whoever prints it ends the line
   return report;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/utf8.h"
 
+#include <cstdio>
+
 namespace parhelion {
 
 CodePoint decodeUtf8(std::string_view text, std::size_t at) {
@@ -33,7 +35,45 @@ namespace {
 
 bool isControl(char32_t c) { return c < 0x20 || (c >= 0x7F && c < 0xA0); }
 
+/// Characters that nobody sees and that change how others are shown: marks of the direction of writing (Unicode
+/// Standard Annex 9, 2.3 to 2.6), ends of lines and paragraphs, blanks of no width, and tags.
+bool isInvisible(char32_t c) {
+  return c == 0x061C || c == 0x200B || c == 0x200E || c == 0x200F || (c >= 0x2028 && c <= 0x202E) ||
+         (c >= 0x2060 && c <= 0x206F) || c == 0xFEFF || (c >= 0xFFF9 && c <= 0xFFFB) || (c >= 0xE0000 && c <= 0xE0FFF);
+}
+
+bool isPlain(const CodePoint& c) { return c.valid && !isControl(c.value) && !isInvisible(c.value); }
+
+/// As TOML writes it in a string, \u001b; a byte that belongs to no character as \xff.
+std::string escapeOf(const CodePoint& c, char byte) {
+  char text[12];
+  if (!c.valid)
+    std::snprintf(text, sizeof text, "\\x%02x", static_cast<unsigned>(static_cast<unsigned char>(byte)));
+  else
+    std::snprintf(text, sizeof text, c.value > 0xFFFF ? "\\U%08x" : "\\u%04x", static_cast<unsigned>(c.value));
+  return text;
+}
+
+std::string escapedBut(std::string_view text, bool keepsLines) {
+  std::string result;
+  for (std::size_t at = 0; at < text.size();) {
+    const CodePoint c = decodeUtf8(text, at);
+    const bool mark = at == 0 && c.value == 0xFEFF;  // of the byte order, with which a file may begin
+    const bool layout = keepsLines && (mark || c.value == '\n' || text.substr(at).starts_with("\r\n"));
+    if (isPlain(c) || layout || c.value == '\t')
+      result += text.substr(at, c.length);
+    else
+      result += escapeOf(c, text[at]);
+    at += c.length;
+  }
+  return result;
+}
+
 }  // namespace
+
+std::string escaped(std::string_view text) { return escapedBut(text, false); }
+
+std::string escapedLines(std::string_view text) { return escapedBut(text, true); }
 
 std::string printable(std::string_view text, std::size_t maxLength) {
   std::string result;
@@ -43,29 +83,19 @@ std::string printable(std::string_view text, std::size_t maxLength) {
     const CodePoint c = decodeUtf8(text, at);
     if (c.value == '\t') {
       result += ' ';
-    } else if (isControl(c.value) || !c.valid) {
-      result += '?';
-    } else {
+    } else if (isPlain(c)) {
       result += text.substr(at, c.length);
+    } else {
+      result += '?';
     }
     at += c.length;
   }
   return result;
 }
 
-std::string printableLines(std::string_view text) {
-  std::string result;
-  for (std::size_t at = 0; at < text.size();) {
-    const CodePoint c = decodeUtf8(text, at);
-    const bool layout = c.value == '\t' || c.value == '\n' || text.substr(at).starts_with("\r\n");
-    if (c.valid && (layout || !isControl(c.value))) {
-      result += text.substr(at, c.length);
-    } else {
-      result += '?';
-    }
-    at += c.length;
-  }
-  return result;
+std::size_t startOfCodePoint(std::string_view text, std::size_t at) {
+  while (at > 0 && at < text.size() && (static_cast<unsigned char>(text[at]) & 0xC0u) == 0x80u) --at;
+  return at;
 }
 
 std::string_view trimmed(std::string_view text) {

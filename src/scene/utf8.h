@@ -18,12 +18,19 @@ CodePoint decodeUtf8(std::string_view text, std::size_t at);
 
 std::size_t countCodePoints(std::string_view text);
 
-/// `text` for a terminal: control characters and broken bytes become '?', a tab one blank, so that columns stay; what
-/// is longer than `maxLength` code points ends in "…".
+/// `text` for a terminal, on one line: what would act on the terminal, or hide or turn round what stands beside it, is
+/// written as TOML does in strings, an escape as \u001b and a line's end as \u000a; bytes that are not UTF-8 as \xff.
+std::string escaped(std::string_view text);
+
+/// The same of a text of several lines: the ends of lines, of either kind, stay.
+std::string escapedLines(std::string_view text);
+
+/// `text` on one line where columns count: each such character becomes one '?', a tab one blank; what is longer than
+/// `maxLength` code points ends in "…".
 std::string printable(std::string_view text, std::size_t maxLength);
 
-/// A text of several lines for a terminal or a file: as printable(), but tabs and ends of lines, of either kind, stay.
-std::string printableLines(std::string_view text);
+/// The byte where the code point of a UTF-8 text begins that byte `at` belongs to.
+std::size_t startOfCodePoint(std::string_view text, std::size_t at);
 
 /// `text` without the blanks at its ends.
 std::string_view trimmed(std::string_view text);

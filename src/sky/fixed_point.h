@@ -9,16 +9,24 @@
 #include <cstdint>
 #include <stdexcept>
 
+#include "math/exact_sum.h"
+
 namespace parhelion {
 
 /// Units per unit of light, the light one ray brings on average. Rounding a deposit is off by at most 2^-29 of it.
-/// At most kMaxRays = 3e10 rays (trace/trace_settings.h) make 8.1e18 < 2^63 = 9.2e18 even if all fall into one bin.
+/// 3e10 rays make 8.1e18 < 2^63 = 9.2e18 even if all fall into one bin.
 inline constexpr double kWeightScale = 0x1p28;
+
+/// A total of a run, in the same units. 128 bits hold the light of 2^99 rays.
+using LightTotal = FixedSum<28>;
+static_assert(LightTotal::kScale == kWeightScale);
 
 /// Units per squared unit of light. Coarser, because one wavelength a ray makes the mean square of its luminance as
 /// large as 2.7 (the 1931 observer over an equal spectrum): 3e10 rays may bring a mean square of 4.5. Bundles of more
 /// than four rays that are all of one bin bring more: then fewer rays fit.
 inline constexpr double kSquareScale = 0x1p26;
+using SquareTotal = FixedSum<26>;
+static_assert(SquareTotal::kScale == kSquareScale);
 
 [[noreturn]] inline void rejectLight() {
   throw std::overflow_error(

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sky/radial_sky.h"
 
+#include <algorithm>
+#include <array>
 #include <stdexcept>
 
 #include "sky/camera.h"
 #include "sky/picture_parts.h"
 #include "sky/radial_footprint.h"
+#include "sky/tally.h"
 
 namespace parhelion {
 namespace {
@@ -48,21 +51,36 @@ RadialSky::RadialSky(const TallyInfo& info, const Vec3& toCentre, int colours)
   perWhite_ = {inverseOrZero(info.white.x), 1.0, inverseOrZero(info.white.z)};
 }
 
-void RadialSky::merge(const RadialSky& other) {
+void RadialSky::requireSameRings(const RadialSky& other) const {
   if (toCentre_ != other.toCentre_ || perWhite_ != other.perWhite_ || colours_ != other.colours_ ||
       bins() != other.bins()) {
     throw std::invalid_argument("radial sky: centre, rings or colours differ");
   }
-  for (std::size_t i = 0; i < rings_.size(); ++i) {
-    for (std::size_t k = 0; k < rings_[i].place.size(); ++k) addFixed(rings_[i].place[k], other.rings_[i].place[k]);
-  }
+}
+
+void RadialSky::merge(const RadialSky& other) {
+  requireSameRings(other);
+  addLines(rings_, other.rings_);
+}
+
+void RadialSky::subtract(const RadialSky& other) {
+  requireSameRings(other);
+  subtractLines(rings_, other.rings_);
+}
+
+bool RadialSky::fitsPixels() const {
+  constexpr double kSafe = 0x1p62;  // half of what a pixel holds: far more than the rounding of these sums
+  std::array<double, 8> sums{};
+  for (const SumLine& ring : rings_)
+    for (std::size_t k = 0; k < sums.size(); ++k) sums[k] += static_cast<double>(ring.place[k]);
+  return std::ranges::all_of(sums, [](double sum) { return sum < kSafe; });
 }
 
 void RadialSky::setPixel(Tally& tally, int pixel, const RadialFootprint& footprint) const {
   std::array<double, 6> sums{};
   double squaredHits = 0.0;
   for (int bin = footprint.first(); bin <= footprint.last(); ++bin) {
-    const Ring& ring = rings_[static_cast<std::size_t>(bin)];
+    const SumLine& ring = rings_[static_cast<std::size_t>(bin)];
     const double ofRing = footprint.solidAngle(bin) / solidAngle(bin);
     for (int slot = 0; slot < tally.slots(); ++slot) {
       const double factor = slot == Tally::kSquares ? ofRing * ofRing : ofRing;

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <vector>
@@ -11,11 +10,13 @@
 
 #include "math/conventions.h"
 #include "sky/fixed_point.h"
-#include "sky/tally.h"
+#include "sky/sum_line.h"
+#include "sky/tally_info.h"
 
 namespace parhelion {
 
 class RadialFootprint;
+class Tally;
 
 /// The light of a sky that is the same all around one direction, its centre. It is summed in rings about the centre, as
 /// exact integers like those of a Tally. When it is spread over a picture, each hit counts for its whole ring.
@@ -56,23 +57,45 @@ class RadialSky {
   /// once: each thread has a sky of its own, and these are merged. Throws std::overflow_error, as merge() does, where a
   /// ring cannot hold the light.
   void add(int bin, const Vec3& xyz, bool firstHalf) {
-    Ring& ring = rings_[static_cast<std::size_t>(bin)];
+    SumLine& ring = rings_[static_cast<std::size_t>(bin)];
     const std::int64_t luminance = toFixed(xyz.y);
-    addFixed(ring.place[Tally::kY], luminance);
-    addFixed(ring.place[Tally::kSquares], toFixed(xyz.y * xyz.y, kSquareScale));
-    ring.place[Tally::kHits] += 1;
-    if (firstHalf) addFixed(ring.place[Tally::kFirstHalf], luminance);
+    addFixed(ring.place[TallySlots::kY], luminance);
+    addFixed(ring.place[TallySlots::kSquares], toFixed(xyz.y * xyz.y, kSquareScale));
+    ring.place[TallySlots::kHits] += 1;
+    if (firstHalf) addFixed(ring.place[TallySlots::kFirstHalf], luminance);
     if (colours_ == 1) return;
-    addFixed(ring.place[Tally::kX], toFixed(xyz.x * perWhite_.x));
-    addFixed(ring.place[Tally::kZ], toFixed(xyz.z * perWhite_.z));
+    addFixed(ring.place[TallySlots::kX], toFixed(xyz.x * perWhite_.x));
+    addFixed(ring.place[TallySlots::kZ], toFixed(xyz.z * perWhite_.z));
   }
 
-  /// Adds the light of another sky. Throws std::invalid_argument, and changes nothing, if centre, rings or colours
-  /// differ.
+  /// Adds the light of another sky. Where it throws, it changes nothing: std::invalid_argument if centre, rings or
+  /// colours differ, std::overflow_error where a ring cannot hold the light.
   void merge(const RadialSky& other);
 
+  /// How full the fullest ring is, from 0 to 1. At 1 nothing more fits into it.
+  double fullness() const { return parhelion::fullness(rings_); }
+
   /// Takes all light away.
-  void clear() { std::ranges::fill(rings_, Ring{}); }
+  void clear() { std::ranges::fill(rings_, SumLine{}); }
+
+  /// Takes out what merge() has added.
+  void subtract(const RadialSky& other);
+
+  /// Whether all rings together hold less than fits into one pixel, so that no pixel can overflow.
+  bool fitsPixels() const;
+
+  const Vec3& toCentre() const { return toCentre_; }
+  int slots() const { return colours_ == 1 ? 4 : 6; }
+
+  /// The numbers of a ring, for files.
+  std::int64_t raw(int bin, int slot) const {
+    return rings_[static_cast<std::size_t>(bin)].place[static_cast<std::size_t>(slot)];
+  }
+  void setRaw(int bin, int slot, std::int64_t value) {
+    rings_[static_cast<std::size_t>(bin)].place[static_cast<std::size_t>(slot)] = value;
+  }
+
+  bool operator==(const RadialSky&) const = default;
 
   /// Sets all pixels of a tally from the rings. The radiance is taken as constant across a ring.
   ///
@@ -96,9 +119,8 @@ class RadialSky {
   void spreadOver(Tally& tally) const;
 
  private:
-  struct alignas(64) Ring {
-    std::array<std::int64_t, 8> place{};  // by Tally::Slot
-  };
+  /// Throws std::invalid_argument unless the rings of both are the same.
+  void requireSameRings(const RadialSky& other) const;
 
   /// Integrates the rings over a pixel that covers `footprint`.
   void setPixel(Tally& tally, int pixel, const RadialFootprint& footprint) const;
@@ -106,7 +128,7 @@ class RadialSky {
   Vec3 toCentre_, perWhite_;
   int colours_;
   double perChord_;  // rings per chord length on the unit sphere
-  std::vector<Ring> rings_;
+  std::vector<SumLine> rings_;  // by TallySlots::Slot
 };
 
 }  // namespace parhelion

@@ -3,8 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
+#include <string>
+#include <utility>
 
 #include "sky/camera.h"
 
@@ -22,43 +23,17 @@ void requireValid(const TallyInfo& info, int colours) {
   if (!whiteFits) throw std::invalid_argument("tally: the white must be finite XYZ with Y = 1");
 }
 
-/// The part of the info in which tallies must agree to be of one and the same picture.
-TallyInfo withoutSums(TallyInfo info) {
-  info.rays.clear();
-  info.intercepted = info.undeviated = 0;
-  return info;
+/// The totals of two tallies together, or what is left of the first without the second.
+template <class Combine>
+void combineTotals(TallyInfo& info, const TallyInfo& other, const Combine& combine) {
+  TallyInfo all = info;
+  combine(all.intercepted, other.intercepted);
+  combine(all.undeviated, other.undeviated);
+  for (std::size_t i = 0; i < 3; ++i) combine(all.interceptedXyz[i], other.interceptedXyz[i]);
+  info = std::move(all);
 }
 
 }  // namespace
-
-std::uint64_t TallyInfo::rayCount() const {
-  std::uint64_t sum = 0;
-  for (const RayRange& range : rays) sum += range.count;
-  return sum;
-}
-
-double TallyInfo::undeviatedFraction() const {
-  return intercepted > 0 ? fromFixed(undeviated) / fromFixed(intercepted) : 0.0;
-}
-
-std::vector<RayRange> joined(std::vector<RayRange> ranges) {
-  std::erase_if(ranges, [](const RayRange& r) { return r.count == 0; });
-  std::ranges::sort(ranges, {}, &RayRange::first);
-  std::vector<RayRange> result;
-  for (const RayRange& range : ranges) {
-    if (range.count > std::numeric_limits<std::uint64_t>::max() - range.first) {
-      throw std::invalid_argument("tally: ray numbers beyond 2^64");
-    }
-    const std::uint64_t end = result.empty() ? 0 : result.back().first + result.back().count;
-    if (range.first < end) throw std::invalid_argument("tally: the same rays are counted twice");
-    if (!result.empty() && range.first == end) {
-      result.back().count += range.count;
-    } else {
-      result.push_back(range);
-    }
-  }
-  return result;
-}
 
 Tally::Tally(TallyInfo tallyInfo, int colours) : info(std::move(tallyInfo)), colours_(colours) {
   requireValid(info, colours);
@@ -67,6 +42,7 @@ Tally::Tally(TallyInfo tallyInfo, int colours) : info(std::move(tallyInfo)), col
   stride_ = colours == 1 ? 4 : 8;
   perWhite_ = {inverseOrZero(info.white.x), 1.0, inverseOrZero(info.white.z)};
   lines_.resize((static_cast<std::size_t>(pixels()) * stride_ + 7) / 8);
+  if (info.symmetry == TallySymmetry::radial) makeRings(info.toSun());
 }
 
 Vec3 Tally::xyz(int pixel) const {
@@ -75,6 +51,8 @@ Vec3 Tally::xyz(int pixel) const {
   return {fromFixed(raw(pixel, kX)) * info.white.x, y, fromFixed(raw(pixel, kZ)) * info.white.z};
 }
 
+double Tally::fullness() const { return std::max(parhelion::fullness(lines_), rings_ ? rings_->fullness() : 0.0); }
+
 double Tally::luminanceError(int pixel) const {
   const std::uint64_t rays = info.rayCount();
   if (rays == 0) return 0.0;
@@ -82,20 +60,69 @@ double Tally::luminanceError(int pixel) const {
   return std::sqrt(std::max(0.0, squares(pixel) - sum * sum / static_cast<double>(rays)));
 }
 
-void Tally::merge(const Tally& other) {
-  if (colours_ != other.colours_) throw std::invalid_argument("tally: one is in colour, the other is not");
-  if (withoutSums(info) != withoutSums(other.info)) {
-    throw std::invalid_argument("tally: scene, seed, camera or program version differ");
-  }
-  std::vector<RayRange> all = info.rays;
-  all.insert(all.end(), other.info.rays.begin(), other.info.rays.end());
-  info.rays = joined(std::move(all));
-  addFixed(info.intercepted, other.info.intercepted);
-  addFixed(info.undeviated, other.info.undeviated);
-  for (std::size_t i = 0; i < lines_.size(); ++i) {
-    for (std::size_t k = 0; k < 8; ++k) addFixed(lines_[i].place[k], other.lines_[i].place[k]);
-  }
+std::string Tally::objectionTo(const Tally& other) const {
+  if (colours_ != other.colours_) return "one is in colour, the other is not";
+  if (rings_.has_value() != other.rings_.has_value()) return "only one of them is in rings";
+  return {};
 }
+
+RadialSky Tally::ringsWith(const Tally& other) const {
+  RadialSky sum = *rings_;
+  sum.merge(*other.rings_);
+  if (!sum.fitsPixels()) {  // no pixel can be too full where all rings together are not
+    Tally trial(info, colours_);
+    sum.spreadOver(trial);
+  }
+  return sum;
+}
+
+void Tally::addSums(const Tally& other) {
+  std::string objection = objectionTo(other);
+  if (objection.empty()) objection = objectionToAdding(info, other.info);
+  if (!objection.empty()) throw std::invalid_argument("tally: " + objection);
+  TallyInfo sum = info;
+  combineTotals(sum, other.info, [](auto& total, const auto& more) { total.merge(more); });
+  sum.rays.insert(sum.rays.end(), other.info.rays.begin(), other.info.rays.end());
+  sum.rays = joined(std::move(sum.rays));
+  // From here on nothing throws once something has changed.
+  if (rings_)
+    rings_ = ringsWith(other);
+  else
+    addLines(lines_, other.lines_);
+  info = std::move(sum);
+}
+
+void Tally::merge(const Tally& other) {
+  addSums(other);
+  if (rings_) spreadRings();
+}
+
+void Tally::subtract(const Tally& other) {
+  std::string objection = objectionTo(other);
+  TallyInfo rest = info;
+  rest.rays = raysWithout(info.rays, other.info.rays);
+  if (objection.empty()) objection = objectionToAdding(rest, other.info);
+  if (objection.empty() && rest.rayCount() + other.info.rayCount() != info.rayCount())
+    objection = wordsFor(raysWithout(other.info.rays, info.rays)) + " are not in it";
+  if (!objection.empty()) throw std::invalid_argument("tally: " + objection);
+  combineTotals(rest, other.info, [](auto& total, const auto& less) { total.subtract(less); });
+  if (rings_) {
+    rings_->subtract(*other.rings_);
+    spreadRings();
+  } else {
+    subtractLines(lines_, other.lines_);
+  }
+  info = std::move(rest);
+}
+
+RadialSky& Tally::makeRings(const Vec3& toCentre) {
+  if (rings_ && rings_->toCentre() != toCentre)
+    throw std::invalid_argument("tally: its rings are about another centre");
+  if (!rings_) rings_.emplace(info, toCentre, colours_);
+  return *rings_;
+}
+
+void Tally::spreadRings() { rings_->spreadOver(*this); }
 
 namespace {
 
@@ -130,7 +157,7 @@ void Tally::removeMirrorImage() {
 }
 
 bool Tally::operator==(const Tally& other) const {
-  return colours_ == other.colours_ && info == other.info && lines_ == other.lines_;
+  return colours_ == other.colours_ && info == other.info && lines_ == other.lines_ && rings_ == other.rings_;
 }
 
 }  // namespace parhelion

@@ -1,62 +1,30 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
-#include <string>
+#include <optional>
 #include <vector>
 
 #include "math/conventions.h"
-#include "sky/camera_settings.h"
 #include "sky/fixed_point.h"
+#include "sky/radial_sky.h"
+#include "sky/sum_line.h"
+#include "sky/tally_info.h"
 
 namespace parhelion {
 
-/// Rays first, first + 1, ..., first + count - 1.
-struct RayRange {
-  std::uint64_t first = 0;
-  std::uint64_t count = 0;
-
-  bool operator==(const RayRange&) const = default;
-};
-
-/// What a tally's sums were made of. With it, a reconstruction needs neither the scene nor the tracer.
-struct TallyInfo {
-  std::uint64_t seed = 0;
-  std::vector<RayRange> rays;    // traced so far; ascending, not touching, none empty
-  std::int64_t intercepted = 0;  // fixed point; light taken from the beam: per ray 1 on average, 2 if mirrored
-  std::int64_t undeviated = 0;   // fixed point; the part of it that goes on in the sun's direction, in no pixel
-  Vec3 white{1.0, 1.0, 1.0};     // CIE XYZ of the undeviated sunlight, Y = 1
-  double sunElevation = 0.0;     // rad
-  double sunDiameter = 0.0;      // rad, 0 is a point
-  CameraSettings camera;         // its width and height are the tally's
-  std::string scene;             // the whole scene file, overrides applied
-  std::string version;           // of the program that traced
-
-  bool operator==(const TallyInfo&) const = default;
-
-  /// The number of rays in all ranges together.
-  std::uint64_t rayCount() const;
-
-  double interceptedLight() const { return fromFixed(intercepted); }
-
-  /// Undeviated over intercepted light, 0 before the first ray.
-  double undeviatedFraction() const;
-};
-
-/// The ranges in ascending order. Ranges that touch are joined, empty ones dropped. Throws std::invalid_argument if two
-/// overlap.
-std::vector<RayRange> joined(std::vector<RayRange> ranges);
-
 /// What each pixel of the camera received, as exact integers. It is the contract between tracing and reconstruction.
 /// The unit of light is what a ray brings on average.
-class Tally {
+///
+/// Of a radial sky it also keeps the rings, and its pixels are what the rings spread over them. So tallies of some rays
+/// each have the same sum as one of all the rays, to the bit.
+class Tally : public TallySlots {
  public:
   TallyInfo info;  // camera and white stay as they were constructed; the rest is the tracer's to fill in
 
-  /// An empty tally. `colours` is 3 (CIE XYZ) or 1 (luminance only, for monochromatic light).
+  /// An empty tally, with the rings about the sun if its symmetry is radial. `colours` is 3 (CIE XYZ) or 1 (luminance only, for monochromatic light).
   /// Throws std::invalid_argument for other numbers, a camera out of range, or a white that is negative, not finite or
   /// has Y other than 1.
   explicit Tally(TallyInfo tallyInfo, int colours = 3);
@@ -65,6 +33,9 @@ class Tally {
   int height() const { return height_; }
   int colours() const { return colours_; }
   int pixels() const { return width_ * height_; }
+
+  /// 1 over the white's XYZ, 0 where it has none: X and Z are stored relative to it.
+  const Vec3& perWhite() const { return perWhite_; }
 
   /// Adds the light (CIE XYZ) of one bundle of rays to a pixel, given by its row-major index. Safe to call from any
   /// number of threads at once.
@@ -101,14 +72,26 @@ class Tally {
   /// How many times light was added to a pixel.
   std::int64_t hits(int pixel) const { return raw(pixel, kHits); }
 
+  /// How full the fullest of all sums is, those of rings included, from 0 to 1. At 1 nothing more fits into it.
+  double fullness() const;
+
   /// The standard error of luminance(pixel). Divided by the intercepted light and the solid angle, it is the standard
   /// error of the radiance.
   double luminanceError(int pixel) const;
 
-  /// Adds the rays of another tally of the same scene. Gaps between the ranges of rays are allowed. Throws
-  /// std::invalid_argument, and changes nothing, if scene, seed, camera or colours differ or if a ray is in both.
-  /// Throws std::overflow_error, and is good for nothing more, where one of the two is too full for the other.
+  /// Adds the rays of another tally of the same scene. Gaps between the ranges of rays are allowed. Where it throws, it
+  /// changes nothing: std::invalid_argument with objectionToAdding() or for other colours or rings, std::overflow_error
+  /// where one of the two is too full for the other.
   void merge(const Tally& other);
+
+  /// Does the same, but leaves the pixels of a radial sky as they were until the next spreadRings(): that takes a while
+  /// and is needed once only, however many tallies are added.
+  void addSums(const Tally& other);
+
+  /// Takes out what merge() has added, so that what is left is the same to the bit as if it had never been there.
+  /// Throws std::invalid_argument, and changes nothing, unless all rays of `other` are in it and both are of the same
+  /// scene.
+  void subtract(const Tally& other);
 
   bool operator==(const Tally& other) const;
 
@@ -120,9 +103,17 @@ class Tally {
   /// addMirrorImage() makes the same again.
   void removeMirrorImage();
 
-  /// The numbers that are stored for each pixel, for files. X and Z are relative to the white, so that none can
-  /// overflow.
-  enum Slot : int { kY, kFirstHalf, kSquares, kHits, kX, kZ };
+  /// The rings of a sky that is the same all around the unit world vector `toCentre`. They are made if they are not
+  /// there. Throws std::invalid_argument if these are about another centre.
+  RadialSky& makeRings(const Vec3& toCentre);
+
+  /// The rings of a radial sky, or null.
+  const RadialSky* rings() const { return rings_ ? &*rings_ : nullptr; }
+
+  /// Sets all pixels of a radial sky from its rings. Throws std::overflow_error where a pixel cannot hold its light.
+  void spreadRings();
+
+  /// The numbers of a pixel, for files.
   int slots() const { return colours_ == 1 ? 4 : 6; }
   std::int64_t raw(int pixel, int slot) const {
     return at(static_cast<std::size_t>(pixel) * stride_ + static_cast<std::size_t>(slot));
@@ -132,11 +123,11 @@ class Tally {
   }
 
  private:
-  // A pixel has 8 integers (colour) or 4 (luminance only), so that all of them lie in one cache line.
-  struct alignas(64) CacheLine {
-    std::array<std::int64_t, 8> place{};
-    bool operator==(const CacheLine&) const = default;
-  };
+  /// Why nothing of another tally can be added or taken out; empty if it can.
+  std::string objectionTo(const Tally& other) const;
+
+  /// The rings of both together. Throws std::overflow_error where they do not fit, into pixels neither.
+  RadialSky ringsWith(const Tally& other) const;
 
   std::int64_t& at(std::size_t i) { return lines_[i / 8].place[i % 8]; }
   const std::int64_t& at(std::size_t i) const { return lines_[i / 8].place[i % 8]; }
@@ -157,7 +148,8 @@ class Tally {
   int width_, height_, colours_;
   std::size_t stride_;
   Vec3 perWhite_;  // 1 / white, 0 where the white has none
-  std::vector<CacheLine> lines_;
+  std::vector<SumLine> lines_;  // a pixel has 8 integers (colour) or 4 (luminance only), so that one line holds them
+  std::optional<RadialSky> rings_;
 };
 
 }  // namespace parhelion

@@ -1,127 +1,113 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sky/tally_exr.h"
 
-#include <ImfChannelList.h>
-#include <ImfFrameBuffer.h>
-#include <ImfInputPart.h>
-#include <ImfMultiPartInputFile.h>
-#include <ImfMultiPartOutputFile.h>
-#include <ImfOutputPart.h>
-#include <ImfPartType.h>
-
+#include <algorithm>
 #include <array>
+#include <cstddef>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "picture/exr_stream.h"
+#include "sky/sums_exr.h"
+#include "sky/tally_checks.h"
 #include "sky/tally_info_text.h"
 
 namespace parhelion {
 namespace {
 
-constexpr std::array<const char*, 6> kPartNames = {"Y", "Y.firstHalf", "Y.squares", "hits", "X", "Z"};
-constexpr int kBlockRows = 16;  // ZIP compresses so many scan lines together
+constexpr std::array<const char*, 6> kSlotNames = {"Y", "Y.firstHalf", "Y.squares", "hits", "X", "Z"};
+constexpr const char* kRingPrefix = "rings.";
 
-/// Some rows of one number of a tally, split into the halves that EXR can hold.
-struct Rows {
-  std::vector<std::uint32_t> hi, lo;
-  int width, first;
-
-  Rows(int pictureWidth, int rows)
-      : hi(static_cast<std::size_t>(pictureWidth) * static_cast<std::size_t>(rows)),
-        lo(hi.size()),
-        width(pictureWidth) {}
-
-  Imf::FrameBuffer at(int row, int rows) {
-    first = row;
-    const Imath::Box2i window({0, row}, {width - 1, row + rows - 1});
-    Imf::FrameBuffer buffer;
-    buffer.insert("hi", Imf::Slice::Make(Imf::UINT, hi.data(), window));
-    buffer.insert("lo", Imf::Slice::Make(Imf::UINT, lo.data(), window));
-    return buffer;
-  }
-};
-
-Imf::Header partHeader(const Tally& tally, int slot) {
-  Imf::Header header(tally.width(), tally.height());
-  header.compression() = Imf::ZIP_COMPRESSION;
-  header.setName(kPartNames[static_cast<std::size_t>(slot)]);
-  header.setType(Imf::SCANLINEIMAGE);
-  for (const char* half : {"hi", "lo"}) header.channels().insert(half, Imf::Channel(Imf::UINT));
-  if (slot == 0) insertText(header, textFromInfo(tally.info));
-  return header;
+/// The parts of a tally's file: a picture for each number of a pixel, and a list for each number of a ring.
+std::vector<SumsPart> partsOf(const Tally& tally) {
+  std::vector<SumsPart> parts;
+  const auto slots = static_cast<std::size_t>(tally.slots());
+  for (std::size_t slot = 0; slot < slots; ++slot) parts.push_back({kSlotNames[slot], tally.width(), tally.height()});
+  if (!tally.rings()) return parts;
+  for (std::size_t slot = 0; slot < slots; ++slot)
+    parts.push_back(listPart(std::string(kRingPrefix) + kSlotNames[slot], static_cast<std::size_t>(tally.rings()->bins())));
+  return parts;
 }
 
-void writeSlot(Imf::OutputPart part, const Tally& tally, int slot) {
-  Rows block(tally.width(), kBlockRows);
-  for (int row = 0; row < tally.height(); row += kBlockRows) {
-    const int rows = std::min(kBlockRows, tally.height() - row);
-    for (int i = 0; i < rows * tally.width(); ++i) {
-      const auto bits = static_cast<std::uint64_t>(tally.raw(row * tally.width() + i, slot));
-      block.hi[static_cast<std::size_t>(i)] = static_cast<std::uint32_t>(bits >> 32);
-      block.lo[static_cast<std::size_t>(i)] = static_cast<std::uint32_t>(bits);
-    }
-    part.setFrameBuffer(block.at(row, rows));
-    part.writePixels(rows);
-  }
+std::int64_t ringSum(const RadialSky& rings, std::size_t bin, int slot) {
+  return bin < static_cast<std::size_t>(rings.bins()) ? rings.raw(static_cast<int>(bin), slot) : 0;
 }
 
-void readSlot(Imf::InputPart part, Tally& tally, int slot) {
-  Rows block(tally.width(), kBlockRows);
-  for (int row = 0; row < tally.height(); row += kBlockRows) {
-    const int rows = std::min(kBlockRows, tally.height() - row);
-    part.setFrameBuffer(block.at(row, rows));
-    part.readPixels(row, row + rows - 1);
-    for (int i = 0; i < rows * tally.width(); ++i) {
-      const auto k = static_cast<std::size_t>(i);
-      const std::uint64_t bits = static_cast<std::uint64_t>(block.hi[k]) << 32 | block.lo[k];
-      tally.setRaw(row * tally.width() + i, slot, static_cast<std::int64_t>(bits));
-    }
+/// The parts of the file that a tally needs, by their places in the file. Throws unless they are all that is there.
+std::vector<std::size_t> placesOf(const std::filesystem::path& path, const SumsExr& file, const Tally& tally) {
+  std::vector<std::size_t> places;
+  for (const SumsPart& wanted : partsOf(tally)) {
+    const auto found = std::ranges::find(file.parts(), wanted.name, &SumsPart::name);
+    if (found == file.parts().end()) throw exrError(path, "damaged: it has no part " + wanted.name);
+    if (found->width != wanted.width || found->height != wanted.height)
+      throw exrError(path, "damaged: part " + wanted.name + " is " + std::to_string(found->width) + " x " +
+                               std::to_string(found->height) + ", and should be " + std::to_string(wanted.width) +
+                               " x " + std::to_string(wanted.height));
+    places.push_back(static_cast<std::size_t>(found - file.parts().begin()));
   }
+  if (places.size() == file.parts().size()) return places;
+  for (std::size_t i = 0; i < file.parts().size(); ++i)
+    if (std::ranges::find(places, i) == places.end())
+      throw exrError(path, "its part " + file.parts()[i].name + " is none that this version of parhelion knows");
+  return places;
 }
 
-/// Throws exrError unless the parts are those that writeTallyExr makes, all of the first one's size.
-void requireTallyParts(const std::filesystem::path& path, const Imf::MultiPartInputFile& file) {
-  const auto fits = [&file](int slot) {
-    const Imf::Header& header = file.header(slot);
-    const Imf::ChannelList& channels = header.channels();
-    const Imf::Channel *hi = channels.findChannel("hi"), *lo = channels.findChannel("lo");
-    return header.hasName() && header.name() == kPartNames[static_cast<std::size_t>(slot)] && hi && lo &&
-           hi->type == Imf::UINT && lo->type == Imf::UINT && header.dataWindow() == file.header(0).dataWindow();
-  };
-  bool good = (file.parts() == 4 || file.parts() == 6) && file.header(0).dataWindow().min == Imath::V2i(0, 0);
-  for (int slot = 0; good && slot < file.parts(); ++slot) {
-    good = fits(slot);
-    if (good) requireSaneSize(path, file.header(slot));
-  }
-  if (!good) throw exrError(path, "not a tally of Parhelion");
+void readRings(SumsExr& file, std::size_t place, int slot, RadialSky& rings) {
+  file.read(place, [&](std::size_t first, std::span<const std::int64_t> values) {
+    for (std::size_t i = 0; i < values.size(); ++i)
+      if (first + i < static_cast<std::size_t>(rings.bins())) rings.setRaw(static_cast<int>(first + i), slot, values[i]);
+  });
+}
+
+void readPixels(SumsExr& file, std::size_t place, int slot, Tally& tally) {
+  file.read(place, [&](std::size_t first, std::span<const std::int64_t> values) {
+    for (std::size_t i = 0; i < values.size(); ++i) tally.setRaw(static_cast<int>(first + i), slot, values[i]);
+  });
+}
+
+/// The info of a file whose header has been checked.
+TallyInfo infoOf(const std::filesystem::path& path, const SumsExr& file) {
+  TallyInfo info = infoFromText(file.attributes());
+  const auto y = std::ranges::find(file.parts(), "Y", &SumsPart::name);
+  if (y == file.parts().end()) throw exrError(path, "damaged: it has no part Y");
+  info.camera.width = y->width;
+  info.camera.height = y->height;
+  return info;
 }
 
 }  // namespace
 
 void writeTallyExr(const std::filesystem::path& path, const Tally& tally) {
-  withExrErrors(path, [&] {
-    std::vector<Imf::Header> headers;
-    for (int slot = 0; slot < tally.slots(); ++slot) headers.push_back(partHeader(tally, slot));
-    AtomicFile file(path);
-    {
-      ExrOutput stream(path, file);
-      Imf::MultiPartOutputFile output(stream, headers.data(), tally.slots());
-      for (int slot = 0; slot < tally.slots(); ++slot) writeSlot(Imf::OutputPart(output, slot), tally, slot);
-    }  // here OpenEXR writes its tables of scan lines
-    file.commit();
-  });
+  ExrAttributes attributes = textFromInfo(tally.info);
+  attributes["software"] = "Parhelion " + tally.info.version;
+  const auto slots = static_cast<std::size_t>(tally.slots());
+  writeSumsExr(path, attributes, partsOf(tally),
+               [&](std::size_t part, std::size_t first, std::span<std::int64_t> values) {
+                 const int slot = static_cast<int>(part % slots);
+                 for (std::size_t i = 0; i < values.size(); ++i)
+                   values[i] = part < slots ? tally.raw(static_cast<int>(first + i), slot)
+                                            : ringSum(*tally.rings(), first + i, slot);
+               });
+}
+
+TallyInfo readTallyInfo(const std::filesystem::path& path) {
+  const SumsExr file(path);
+  return withExrErrors(path, [&] { return infoOf(path, file); });
 }
 
 Tally readTallyExr(const std::filesystem::path& path) {
-  requireSaneHeaders(path);
+  SumsExr file(path);
   return withExrErrors(path, [&] {
-    Imf::MultiPartInputFile file(path.c_str(), 0, false);  // no threads, no guessing at missing scan lines
-    requireTallyParts(path, file);
-    TallyInfo info = infoFromText(textOf(file.header(0)));
-    info.camera.width = file.header(0).dataWindow().max.x + 1;
-    info.camera.height = file.header(0).dataWindow().max.y + 1;
-    Tally tally(std::move(info), file.parts() == 4 ? 1 : 3);
-    for (int slot = 0; slot < tally.slots(); ++slot) readSlot(Imf::InputPart(file, slot), tally, slot);
+    const bool grey = std::ranges::find(file.parts(), "X", &SumsPart::name) == file.parts().end();
+    Tally tally(infoOf(path, file), grey ? 1 : 3);
+    RadialSky* rings = tally.rings() ? &tally.makeRings(tally.info.toSun()) : nullptr;
+    const std::vector<std::size_t> places = placesOf(path, file, tally);
+    for (int slot = 0; slot < tally.slots(); ++slot) {
+      readPixels(file, places[static_cast<std::size_t>(slot)], slot, tally);
+      if (rings) readRings(file, places[static_cast<std::size_t>(tally.slots() + slot)], slot, *rings);
+    }
+    requirePlausible(tally);
     return tally;
   });
 }

@@ -7,12 +7,16 @@
 
 namespace parhelion {
 
-/// Writes a tally so that reading gives it back bit for bit: an EXR with one part for each number of a pixel, its
-/// 64-bit integers as two UINT channels `hi` and `lo`, and the info as text attributes of the first part (doubles in
-/// the shortest form that reads back exactly). In one piece or not at all. Throws std::runtime_error "path: reason".
+/// Writes a tally so that reading gives it back bit for bit: a file of sums (sky/sums_exr.h) with one part for each
+/// number of a pixel and, of a radial sky, one for each number of a ring, and the info as text attributes. In one piece
+/// or not at all. Throws std::runtime_error "path: reason".
 void writeTallyExr(const std::filesystem::path& path, const Tally& tally);
 
-/// Throws std::runtime_error "path: reason" for files that are not such a tally, or damaged.
+/// Throws std::runtime_error "path: reason" for files that are not such a tally, are damaged, or hold what no run can
+/// have made (sky/tally_checks.h).
 Tally readTallyExr(const std::filesystem::path& path);
+
+/// Its info alone, after a look at the header only.
+TallyInfo readTallyInfo(const std::filesystem::path& path);
 
 }  // namespace parhelion

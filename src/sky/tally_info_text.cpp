@@ -1,204 +1,126 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sky/tally_info_text.h"
 
-#include <algorithm>
 #include <array>
 #include <charconv>
-#include <stdexcept>
+#include <limits>
+#include <optional>
+#include <string>
 #include <string_view>
 #include <utility>
 
+#include "math/checksum.h"
 #include "math/names.h"
-#include "sky/camera_keys.h"
+#include "sky/camera_text.h"
 
 namespace parhelion {
 namespace {
 
-constexpr std::string_view kPrefix = "parhelion:";
-constexpr std::string_view kFormat = "2";  // of the tally's file; a reader of another format refuses it
+constexpr std::array<std::string_view, 3> kXyzKeys{"intercepted.X", "intercepted.Y", "intercepted.Z"};
+constexpr std::array<std::string_view, 3> kWhiteKeys{"white.X", "white.Y", "white.Z"};
 
-template <typename Number>
-std::string text(Number value) {
-  std::array<char, 32> digits{};
-  const auto result = std::to_chars(digits.data(), digits.data() + digits.size(), value);
-  return {digits.data(), result.ptr};
-}
-
-std::string rangesText(const std::vector<RayRange>& ranges) {
+std::string rangesText(const RayRanges& ranges) {
   std::string list;
   for (const RayRange& r : ranges) {
     if (!list.empty()) list += ' ';
-    list += text(r.first);
+    list += textOfNumber(r.first);
     list += '+';
-    list += text(r.count);
+    list += textOfNumber(r.count);
   }
   return list;
 }
 
-[[noreturn]] void bad(std::string_view name) {
-  throw std::invalid_argument("not a tally of Parhelion: attribute " + std::string(kPrefix) + std::string(name) +
-                              " is missing or wrong");
+/// "first+count" off the front of a list; none where that is not what comes next.
+std::optional<RayRange> takeRange(std::string_view& list) {
+  RayRange range;
+  const char* const end = list.data() + list.size();
+  const auto first = std::from_chars(list.data(), end, range.first);
+  if (first.ec != std::errc{} || first.ptr == end || *first.ptr != '+') return {};
+  const auto count = std::from_chars(first.ptr + 1, end, range.count);
+  if (count.ec != std::errc{} || (count.ptr != end && *count.ptr != ' ')) return {};
+  list.remove_prefix(static_cast<std::size_t>(count.ptr - list.data()) + (count.ptr != end ? 1 : 0));
+  return range;
 }
 
-const std::string& value(const ExrAttributes& attributes, std::string_view name) {
-  const auto found = attributes.find(std::string(kPrefix) + std::string(name));
-  if (found == attributes.end()) bad(name);
-  return found->second;
-}
-
-/// Reads a number off the front of `digits`.
-template <typename Number>
-Number takeNumber(std::string_view& digits, std::string_view name) {
-  Number number{};
-  const auto [stop, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
-  if (error != std::errc{}) bad(name);
-  digits.remove_prefix(static_cast<std::size_t>(stop - digits.data()));
-  return number;
-}
-
-template <typename Number>
-Number number(const ExrAttributes& attributes, std::string_view name) {
-  std::string_view digits = value(attributes, name);
-  const auto result = takeNumber<Number>(digits, name);
-  if (!digits.empty()) bad(name);
-  return result;
-}
-
-std::vector<RayRange> ranges(const ExrAttributes& attributes) {
-  std::string_view list = value(attributes, "rays");
-  std::vector<RayRange> result;
+RayRanges rangesIn(const AttributeReader& attributes) {
+  const auto reject = [&attributes] {
+    attributes.reject("rays", "ranges first+count of ray numbers below 2^64, in ascending order and without overlap");
+  };
+  std::string_view list = attributes.text("rays");
+  if (list.ends_with(' ')) reject();
+  RayRanges ranges;
   while (!list.empty()) {
-    RayRange range;
-    range.first = takeNumber<std::uint64_t>(list, "rays");
-    if (list.empty() || list.front() != '+') bad("rays");
-    list.remove_prefix(1);
-    range.count = takeNumber<std::uint64_t>(list, "rays");
-    if (!list.empty() && list.front() != ' ') bad("rays");
-    if (!list.empty()) list.remove_prefix(1);
-    result.push_back(range);
+    const std::optional<RayRange> range = takeRange(list);
+    const std::uint64_t room = range ? std::numeric_limits<std::uint64_t>::max() - range->first : 0;
+    if (!range || range->count == 0 || range->count > room || (!ranges.empty() && range->first < ranges.back().end()))
+      reject();
+    ranges.push_back(*range);
   }
-  return joined(std::move(result));
+  return joined(std::move(ranges));
 }
 
-std::string cameraAttribute(std::string_view name) { return std::string("camera.").append(name); }
-
-/// Writes the keys of a camera (sky/camera_keys.h) as attributes.
-class CameraToText {
- public:
-  CameraToText(const CameraSettings& camera, ExrAttributes& plain) : camera_(camera), plain_(plain) {}
-
-  void projection(const CameraKey& key) { put(key.attribute, std::string(nameOf(camera_.projection))); }
-  void number(const CameraKey& key, auto /*unit*/, double CameraSettings::*member) {
-    put(key.attribute, text(camera_.*member));
-  }
-  void numberOrNone(const CameraKey& key, auto unit, double CameraSettings::*member) { number(key, unit, member); }
-  void numbers(const CameraKey& key, auto /*unit*/, auto member, const auto& parts) {
-    if (key.isNewer && camera_.*member == CameraSettings().*member) return;
-    for (const auto& part : parts) put(part.name, text(camera_.*member.*part.member));
-  }
-  void choice(const CameraKey& key, auto member) {
-    if (key.isNewer && camera_.*member == CameraSettings().*member) return;
-    put(key.attribute, std::string(nameOf(camera_.*member)));
-  }
-  void fieldOfView(const FieldOfViewAttributes& names, InDegrees) {
-    put(names.axis, std::string(keyOf(camera_.fieldOfViewAxis).axisName));
-    put(names.angle, text(camera_.fieldOfView));
-  }
-  void resolution(const CameraKey&) {}
-
- private:
-  void put(std::string_view attribute, std::string entry) { plain_[cameraAttribute(attribute)] = std::move(entry); }
-
-  const CameraSettings& camera_;
-  ExrAttributes& plain_;
-};
-
-/// Reads them back.
-class CameraFromText {
- public:
-  CameraFromText(const ExrAttributes& attributes, CameraSettings& camera) : attributes_(attributes), camera_(camera) {}
-
-  void projection(const CameraKey& key) {
-    const std::string attribute = cameraAttribute(key.attribute);
-    const auto named = memberNamed<Projection>(value(attributes_, attribute));
-    if (!named) bad(attribute);
-    camera_.projection = *named;
-  }
-  void number(const CameraKey& key, auto /*unit*/, double CameraSettings::*member) {
-    camera_.*member = get(key.attribute);
-  }
-  void numberOrNone(const CameraKey& key, auto unit, double CameraSettings::*member) { number(key, unit, member); }
-  void numbers(const CameraKey& key, auto /*unit*/, auto member, const auto& parts) {
-    if (key.isNewer && !has(parts.front().name)) return;
-    for (const auto& part : parts) camera_.*member.*part.member = get(part.name);
-  }
-  template <class Enumeration>
-  void choice(const CameraKey& key, Enumeration CameraSettings::*member) {
-    if (key.isNewer && !has(key.attribute)) return;
-    const std::string attribute = cameraAttribute(key.attribute);
-    const auto named = memberNamed<Enumeration>(value(attributes_, attribute));
-    if (!named) bad(attribute);
-    camera_.*member = *named;
-  }
-  void fieldOfView(const FieldOfViewAttributes& names, InDegrees) {
-    const std::string attribute = cameraAttribute(names.axis);
-    const std::string& axis = value(attributes_, attribute);
-    const auto key = std::ranges::find(kFieldOfViewKeys, std::string_view(axis), &FieldOfViewKey::axisName);
-    if (key == kFieldOfViewKeys.end()) bad(attribute);
-    camera_.fieldOfViewAxis = key->axis;
-    camera_.fieldOfView = get(names.angle);
-  }
-  void resolution(const CameraKey&) {}
-
- private:
-  bool has(std::string_view attribute) const {
-    return attributes_.contains(std::string(kPrefix) + cameraAttribute(attribute));
-  }
-  double get(std::string_view attribute) { return parhelion::number<double>(attributes_, cameraAttribute(attribute)); }
-
-  const ExrAttributes& attributes_;
-  CameraSettings& camera_;
-};
+LightTotal totalIn(const AttributeReader& attributes, std::string_view name) {
+  const LightTotal total(attributes.units(name));
+  if (total.units() < 0) attributes.reject(name, "light, which is never negative");
+  return total;
+}
 
 }  // namespace
 
+ExrAttributes textFromOrigin(const TallyOrigin& origin) {
+  return {{"version", origin.version},
+          {"scene", origin.scene},
+          {"scene.hash", hexOf(origin.sceneHash)},
+          {"numerics", textOfNumber(origin.numerics)},
+          {"seed", textOfNumber(origin.seed)},
+          {"rays", rangesText(origin.rays)}};
+}
+
+TallyOrigin originFromText(const AttributeReader& attributes) {
+  TallyOrigin origin;
+  origin.version = attributes.text("version");
+  origin.scene = attributes.text("scene");
+  origin.sceneHash = attributes.hash("scene.hash");
+  const std::uint64_t numerics = attributes.whole("numerics");
+  if (numerics > std::numeric_limits<int>::max()) attributes.reject("numerics", "the version of a tracer");
+  origin.numerics = static_cast<int>(numerics);
+  origin.seed = attributes.whole("seed");
+  origin.rays = rangesIn(attributes);
+  return origin;
+}
+
 ExrAttributes textFromInfo(const TallyInfo& info) {
-  ExrAttributes plain = {
-      {"tally", std::string(kFormat)},
-      {"version", info.version},
-      {"scene", info.scene},
-      {"seed", text(info.seed)},
-      {"rays", rangesText(info.rays)},
-      {"intercepted", text(info.intercepted)},
-      {"undeviated", text(info.undeviated)},
-      {"white.X", text(info.white.x)},
-      {"white.Y", text(info.white.y)},
-      {"white.Z", text(info.white.z)},
-      {"sun.elevation", text(info.sunElevation)},
-      {"sun.diameter", text(info.sunDiameter)},
-  };
-  CameraToText camera(info.camera, plain);
-  visitCameraKeys(camera);
-  ExrAttributes attributes = {{"software", "Parhelion " + info.version}};
-  for (const auto& [key, entry] : plain) attributes[std::string(kPrefix) + key] = entry;
-  return attributes;
+  ExrAttributes plain = textFromOrigin(info);
+  plain["symmetry"] = std::string(nameOf(info.symmetry));
+  plain["intercepted"] = textOfUnits(info.intercepted.units());
+  plain["undeviated"] = textOfUnits(info.undeviated.units());
+  for (int k = 0; k < 3; ++k) {
+    plain[std::string(kXyzKeys[k])] = textOfUnits(info.interceptedXyz[k].units());
+    plain[std::string(kWhiteKeys[k])] = textOfNumber(info.white[k]);
+  }
+  plain["sun.elevation"] = textOfNumber(info.sunElevation);
+  plain["sun.diameter"] = textOfNumber(info.sunDiameter);
+  plain.merge(textFromCamera(info.camera));
+  return plain;
 }
 
 TallyInfo infoFromText(const ExrAttributes& attributes) {
-  if (value(attributes, "tally") != kFormat) bad("tally");
+  constexpr double kBrightestWhite = 1e6;  // X or Z over Y; beyond those of all single wavelengths
+  const AttributeReader reader(attributes);
   TallyInfo info;
-  info.version = value(attributes, "version");
-  info.scene = value(attributes, "scene");
-  info.seed = number<std::uint64_t>(attributes, "seed");
-  info.rays = ranges(attributes);
-  info.intercepted = number<std::int64_t>(attributes, "intercepted");
-  info.undeviated = number<std::int64_t>(attributes, "undeviated");
-  info.white = {number<double>(attributes, "white.X"), number<double>(attributes, "white.Y"),
-                number<double>(attributes, "white.Z")};
-  info.sunElevation = number<double>(attributes, "sun.elevation");
-  info.sunDiameter = number<double>(attributes, "sun.diameter");
-  CameraFromText camera(attributes, info.camera);
-  visitCameraKeys(camera);
+  static_cast<TallyOrigin&>(info) = originFromText(reader);
+  const auto symmetry = reader.has("symmetry") ? memberNamed<TallySymmetry>(reader.text("symmetry")) : std::nullopt;
+  if (!symmetry) reader.reject("symmetry", "none, mirror or radial");
+  info.symmetry = *symmetry;
+  info.intercepted = totalIn(reader, "intercepted");
+  info.undeviated = totalIn(reader, "undeviated");
+  for (int k = 0; k < 3; ++k) {
+    info.interceptedXyz[k] = totalIn(reader, kXyzKeys[k]);
+    info.white[k] = reader.number(kWhiteKeys[k], 0.0, kBrightestWhite);
+  }
+  info.sunElevation = reader.number("sun.elevation", -0.5 * kPi, 0.5 * kPi);
+  info.sunDiameter = reader.number("sun.diameter", 0.0, kPi);
+  readCamera(reader, info.camera);
   return info;
 }
 

@@ -20,8 +20,12 @@ void BundleBins::merge(const BundleBins& other) {
   }
 }
 
+double BundleBins::fullness() const {
+  return static_cast<double>(*std::ranges::max_element(sums_)) / 0x1p63;
+}
+
 double BundleBins::error(int bin, std::uint64_t bundles) const {
-  const double sum = light(bin), squares = squares_[bin].value() * (ExactSum::kScale / kSquareScale);
+  const double sum = light(bin), squares = squares_[bin].value();
   return bundles > 0 ? std::sqrt(std::max(0.0, squares - sum * sum / static_cast<double>(bundles))) : 0.0;
 }
 

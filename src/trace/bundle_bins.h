@@ -44,6 +44,9 @@ class BundleBins {
   void add(const BundleDeposits<double>& bundle);
   void merge(const BundleBins& other);
 
+  /// How full the fullest sum of light is, from 0 to 1. Squares have room for more than there ever is.
+  double fullness() const;
+
   /// The light in a bin, in the unit of the deposits.
   double light(int bin) const { return fromFixed(sums_[bin]); }
 
@@ -58,7 +61,7 @@ class BundleBins {
 
  private:
   std::vector<std::int64_t> sums_;
-  std::vector<ExactSum> squares_;  // their units are those of kSquareScale
+  std::vector<SquareTotal> squares_;
 };
 
 }  // namespace parhelion

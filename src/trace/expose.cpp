@@ -17,10 +17,23 @@ Symmetry symmetryOf(const Cloud& cloud, Symmetry asked) {
   return mirrored ? Symmetry::mirror : Symmetry::none;
 }
 
+TallySymmetry countingOf(Symmetry chosen) {
+  switch (chosen) {
+    case Symmetry::mirror:
+      return TallySymmetry::mirror;
+    case Symmetry::radial:
+      return TallySymmetry::radial;
+    case Symmetry::automatic:
+    case Symmetry::none:
+      break;
+  }
+  return TallySymmetry::none;
+}
+
 std::unique_ptr<Film> makeFilm(Tally& tally, const Cloud& cloud, Symmetry symmetry) {
-  const Symmetry chosen = symmetryOf(cloud, symmetry);
-  if (chosen == Symmetry::radial) return std::make_unique<RadialFilm>(tally, cloud.sun().toCentre());
-  return std::make_unique<SkyFilm>(tally, chosen == Symmetry::mirror);
+  tally.info.symmetry = countingOf(symmetryOf(cloud, symmetry));
+  if (tally.info.symmetry == TallySymmetry::radial) return std::make_unique<RadialFilm>(tally, cloud.sun().toCentre());
+  return std::make_unique<SkyFilm>(tally);
 }
 
 TraceReport traceTally(Tally& tally, const Cloud& cloud, const TraceSettings& settings, std::uint64_t firstRay,

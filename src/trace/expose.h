@@ -11,8 +11,12 @@ namespace parhelion {
 /// The symmetry asked for, or the most that the cloud allows where the choice is left.
 Symmetry symmetryOf(const Cloud& cloud, Symmetry asked);
 
-/// What exposes a tally, making use of a symmetry that the cloud must have. `tally` must be empty and outlive the film,
-/// which is good for one run of traceRays(): when that is done the tally is complete.
+/// What rays count for in tallies when a chosen symmetry is made use of.
+TallySymmetry countingOf(Symmetry chosen);
+
+/// What exposes a tally, making use of a symmetry that the cloud must have, which the tally's info then names. `tally`
+/// must be empty and outlive the film, which is good for one run of traceRays(): when that is done the tally is
+/// complete.
 std::unique_ptr<Film> makeFilm(Tally& tally, const Cloud& cloud, Symmetry symmetry);
 
 /// Traces rays firstRay ... settings.rays - 1 into an empty tally through its own camera, making use of the settings'

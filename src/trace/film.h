@@ -29,6 +29,9 @@ class Film {
 
   /// After finish(): more rays may be added.
   virtual void reopen() {}
+
+  /// How full the fullest of all sums is, as they are after finish(), from 0 to 1. At 1 nothing more fits into it.
+  virtual double fullness() const { return 0.0; }
 };
 
 }  // namespace parhelion

@@ -9,13 +9,17 @@ namespace parhelion {
 /// The light that crystals intercept, and of that the light that goes straight on; exact sums.
 class InterceptedLight {
  public:
+  explicit InterceptedLight(const Tally& tally) : perWhite_(tally.perWhite()) {}
+
   void add(const TracedRays& traced);
 
-  /// Adds it `images` times to a tally's totals.
-  void addTo(TallyInfo& info, int images) const;
+  /// Adds it to a tally's totals, as many times as a ray counts there.
+  void addTo(TallyInfo& info) const;
 
  private:
-  std::int64_t intercepted_ = 0, undeviated_ = 0;
+  Vec3 perWhite_;
+  LightTotal intercepted_, undeviated_;
+  std::array<LightTotal, 3> xyz_;  // of `intercepted_`, over the white's
 };
 
 }  // namespace parhelion

@@ -27,8 +27,10 @@ void RadialFilm::merge(Film& fromThread) {
   auto& other = dynamic_cast<RadialFilm&>(fromThread);
   sky_.merge(other.sky_);
   other.sky_.clear();
-  other.intercepted_.addTo(tally_.info, 1);
-  other.intercepted_ = {};
+  other.intercepted_.addTo(tally_.info);
+  other.intercepted_ = InterceptedLight(tally_);
 }
+
+void RadialFilm::finish() { tally_.spreadRings(); }
 
 }  // namespace parhelion

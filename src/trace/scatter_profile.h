@@ -22,6 +22,7 @@ class ScatterProfile : public Film {
   int add(const TracedRays& traced) override;
   std::unique_ptr<Film> forThread() override;
   void merge(Film& fromThread) override;
+  double fullness() const override { return bins_.fullness(); }
 
   struct Bin {
     double from, to;  // rad

@@ -33,8 +33,8 @@ int SkyFilm::add(const TracedRays& traced) {
 void SkyFilm::merge(Film& fromThread) {
   auto& other = dynamic_cast<SkyFilm&>(fromThread);
   other.buffer_.flush();
-  other.intercepted_.addTo(tally_.info, mirrored_ ? 2 : 1);
-  other.intercepted_ = {};
+  other.intercepted_.addTo(tally_.info);
+  other.intercepted_ = InterceptedLight(tally_);
 }
 
 void SkyFilm::finish() {

@@ -15,28 +15,29 @@ namespace parhelion {
 /// lands in no pixel.
 class SkyFilm : public Film {
  public:
-  /// `tally` must outlive the film; its info's camera is the one looked through. `mirrored`: every ray counts as its
-  /// mirror image in the sun's vertical plane, too, for clouds that are their own mirror images.
-  explicit SkyFilm(Tally& tally, bool mirrored = false)
-      : SkyFilm(tally, mirrored, std::make_shared<DepositBuffer::Locks>()) {}
+  /// `tally` must outlive the film; its info's camera is the one looked through. Where its symmetry is `mirror`, every
+  /// ray counts as its mirror image in the sun's vertical plane, too: for clouds that are their own mirror images.
+  explicit SkyFilm(Tally& tally) : SkyFilm(tally, std::make_shared<DepositBuffer::Locks>()) {}
 
   int add(const TracedRays& traced) override;
   std::unique_ptr<Film> forThread() override {
-    return std::unique_ptr<SkyFilm>(new SkyFilm(tally_, mirrored_, locks_));
+    return std::unique_ptr<SkyFilm>(new SkyFilm(tally_, locks_));
   }
   void merge(Film& fromThread) override;
   void finish() override;
   void reopen() override;
+  double fullness() const override { return tally_.fullness(); }
 
  private:
   /// Through a camera that is its own mirror image, the finished picture makes up for a second view of every exit.
   bool foldsPicture() const { return mirrored_ && camera_.isMirrorSymmetric(); }
-  SkyFilm(Tally& tally, bool mirrored, std::shared_ptr<DepositBuffer::Locks> locks)
+  SkyFilm(Tally& tally, std::shared_ptr<DepositBuffer::Locks> locks)
       : tally_(tally),
-        mirrored_(mirrored),
+        mirrored_(tally.info.symmetry == TallySymmetry::mirror),
         camera_(tally.info.camera),
         locks_(std::move(locks)),
-        buffer_(tally, locks_) {}
+        buffer_(tally, locks_),
+        folded_(foldsPicture() && !tally.info.rays.empty()) {}
 
   Tally& tally_;
   bool mirrored_;
@@ -46,8 +47,8 @@ class SkyFilm : public Film {
   BundleDeposits<Vec3> deposits_;
   ByBundle byBundle_;
   SeenLight seen_;
-  InterceptedLight intercepted_;
-  bool folded_ = false;  // the tally's picture, by finish(), until reopen()
+  InterceptedLight intercepted_{tally_};
+  bool folded_;  // the tally's picture, by finish(), until reopen()
 };
 
 }  // namespace parhelion

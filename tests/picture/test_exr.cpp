@@ -30,8 +30,11 @@ Tally tally(int colours) {
   TallyInfo info;
   info.seed = 0xfedcba9876543210;
   info.rays = {{0, 1000}, {5000, 17}};
-  info.intercepted = 0x123456789abcdef;
-  info.undeviated = 77;
+  info.sceneHash = 0x0fedcba987654321;
+  info.numerics = 7;
+  info.intercepted = LightTotal(toFixed(1017.0) + 5);
+  info.undeviated = LightTotal(77);
+  info.interceptedXyz.fill(info.intercepted);
   info.white = {0.1 + 0.2, 1.0, 1.0 / 3.0};
   info.sunElevation = radians(20.0);
   info.sunDiameter = radians(0.533);
@@ -46,9 +49,10 @@ Tally tally(int colours) {
   info.version = "0.1.0";
   Tally t(info, colours);
   std::mt19937_64 random(7);
-  for (int pixel = 0; pixel < t.pixels(); ++pixel) {
-    for (int slot = 0; slot < t.slots(); ++slot) t.setRaw(pixel, slot, static_cast<std::int64_t>(random()));
-  }
+  std::uniform_real_distribution<double> light(0.0, 0.3);
+  for (int i = 0; i < 2000; ++i)
+    t.add(static_cast<int>(random() % static_cast<unsigned>(t.pixels())),
+          Vec3(light(random), light(random), light(random)), i % 2 == 0);
   return t;
 }
 

@@ -23,7 +23,7 @@ inline TallyInfo fullSky(int side) {
   info.camera.width = info.camera.height = side;
   info.camera.fieldOfView = radians(90.0);
   info.rays = {{0, 1'000'000}};
-  info.intercepted = toFixed(1e6);
+  info.intercepted = LightTotal(toFixed(1e6));
   return info;
 }
 

@@ -11,6 +11,7 @@
 #include "math/rotation.h"
 #include "sky/camera.h"
 #include "sky/radial_sky.h"
+#include "sky/tally.h"
 
 namespace parhelion {
 

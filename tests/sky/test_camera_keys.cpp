@@ -57,10 +57,10 @@ TEST_CASE("the attributes of a camera keep their names") {
     if (key.find("camera.") != std::string::npos) names.push_back(key);
   std::sort(names.begin(), names.end());
   CHECK(names == std::vector<std::string>{
-                     "parhelion:camera.azimuth", "parhelion:camera.circle", "parhelion:camera.elevation",
-                     "parhelion:camera.fov", "parhelion:camera.fovAxis", "parhelion:camera.horizon",
-                     "parhelion:camera.k1", "parhelion:camera.k2", "parhelion:camera.k3", "parhelion:camera.projection",
-                     "parhelion:camera.roll", "parhelion:camera.shiftX", "parhelion:camera.shiftY"});
+                     "camera.azimuth", "camera.circle", "camera.elevation",
+                     "camera.fov", "camera.fovAxis", "camera.horizon",
+                     "camera.k1", "camera.k2", "camera.k3", "camera.projection",
+                     "camera.roll", "camera.shiftX", "camera.shiftY"});
 }
 
 TEST_CASE("a tally's file without one of a camera's attributes, or with a wrong one, is refused") {

@@ -188,7 +188,7 @@ TEST_CASE("tallies from before there was a horizon to cut are read, and those of
   info.camera.shift = {0.25, -1.0 / 3.0};
   CHECK(infoFromText(textFromInfo(info)).camera == info.camera);
   ExrAttributes wrong = textFromInfo(info);
-  wrong["parhelion:camera.horizon"] = "round";
+  wrong["camera.horizon"] = "round";
   CHECK_THROWS_AS(infoFromText(wrong), std::invalid_argument);
 }
 

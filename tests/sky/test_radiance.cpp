@@ -13,7 +13,7 @@ TallyInfo allSky() {
   TallyInfo info;
   info.camera.width = info.camera.height = 64;
   info.rays = {{0, 1000}};
-  info.intercepted = toFixed(1000.0);
+  info.intercepted = LightTotal(toFixed(1000.0));
   info.white = {0.97, 1.0, 1.05};
   return info;
 }
@@ -45,7 +45,7 @@ TEST_CASE("one colour gives a grey picture, no rays give a black one, corners wi
   CHECK((*g)[0] == 0.0F);
   TallyInfo none = allSky();
   none.rays.clear();
-  none.intercepted = 0;
+  none.intercepted = {};
   for (const Channel& channel : plainRadiance(Tally(none)).channels) {
     for (const float sample : channel.samples) CHECK(sample == 0.0F);
   }

@@ -58,8 +58,8 @@ TEST_CASE("a mirrored picture is the plain one and the mirror image of one by a 
     const Tally both = traceSky(view.cloud, view.camera, by(Symmetry::mirror, 100'000, 3));
     const Tally plain = traceSky(view.cloud, view.camera, by(Symmetry::none, 100'000, 3));
     const Tally image = traceSky(view.cloud, mirrored(view.camera), by(Symmetry::none, 100'000, 3));
-    CHECK(both.info.intercepted == 2 * plain.info.intercepted);
-    CHECK(both.info.undeviated == 2 * plain.info.undeviated);
+    CHECK(both.info.intercepted.units() == 2 * plain.info.intercepted.units());
+    CHECK(both.info.undeviated.units() == 2 * plain.info.undeviated.units());
     for (const int pixel : pixelsOf(view.camera)) {
       const int other = mirrored(both, pixel);
       // Deposits are rounded to whole units of 2^-28, and one that meets its mirror image in a pixel only once.
@@ -101,15 +101,15 @@ TEST_CASE("mirrored pictures have the colours and sums of plain ones, and half t
 
 TEST_CASE("a whole sphere holds all light that is deviated, by any symmetry") {
   const Cloud cloud = sunlit({prismPopulation(2.0), pyramids(0.9, 0.2)});
-  std::int64_t intercepted = 0;
+  LightTotal::Units intercepted = 0;
   for (const Symmetry symmetry : {Symmetry::none, Symmetry::mirror, Symmetry::radial}) {
     const Tally tally = traceSky(cloud, wholeSphere(), by(symmetry, 100'000, 3));
     const double deviated = 1.0 - tally.info.undeviatedFraction();
     // Deposits are rounded to 2^-29; the rings' shares in single pixels are good to 1e-3 of a pixel.
     const double slack = symmetry == Symmetry::radial ? 1e-4 : 1e-9;
     CHECK(std::abs(totalLuminance(tally) / tally.info.interceptedLight() - deviated) < slack);
-    if (symmetry == Symmetry::none) intercepted = tally.info.intercepted;
-    CHECK(tally.info.intercepted == (symmetry == Symmetry::mirror ? 2 : 1) * intercepted);
+    if (symmetry == Symmetry::none) intercepted = tally.info.intercepted.units();
+    CHECK(tally.info.intercepted.units() == (symmetry == Symmetry::mirror ? 2 : 1) * intercepted);
   }
 }
 

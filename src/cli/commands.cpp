@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/commands.h"
+
+namespace parhelion::cli {
+
+void addCommands(CLI::App& app, int& exit) {
+  addRender(app, exit);
+  addTrace(app, exit);
+  addRecon(app, exit);
+  addComposite(app, exit);
+  addSweep(app, exit);
+  addView(app, exit);
+  addProfile(app, exit);
+  addMap(app, exit);
+  addReplay(app, exit);
+  addInfo(app, exit);
+  addCheck(app, exit);
+  addSchema(app, exit);
+}
+
+}  // namespace parhelion::cli

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/traced_keys.h"
+
+#include <array>
+#include <charconv>
+#include <string_view>
+#include <type_traits>
+#include <variant>
+
+#include "math/checksum.h"
+#include "math/names.h"
+#include "math/overloaded.h"
+#include "sky/camera_text.h"
+
+namespace parhelion {
+
+namespace {
+
+/// The shortest digits that read back as the same number.
+std::string digitsOf(double x) {
+  std::array<char, 32> digits{};
+  // Nothing differs by the sign of a zero.
+  const auto result = std::to_chars(digits.data(), digits.data() + digits.size(), x + 0.0);
+  return {digits.data(), result.ptr};
+}
+
+std::string digitsOf(const std::vector<double>& numbers) {
+  std::string list;
+  for (const double x : numbers) list += (list.empty() ? "" : " ") + digitsOf(x);
+  return list;
+}
+
+std::string textOf(const FixedValue& fixed) { return digitsOf(fixed.value); }
+
+template <class Distribution>
+std::string textOf(const Distribution& distribution) {
+  const auto& [first, second] = distribution;
+  return std::string(Distribution::kWords.name) + " " + digitsOf(first) + " " + digitsOf(second);
+}
+
+template <class... Distributions>
+std::string textOf(const std::variant<Distributions...>& distribution) {
+  return std::visit([](const auto& own) { return textOf(own); }, distribution);
+}
+
+/// Lists settings. Each struct is taken apart whole, so that a member that is forgotten here does not compile.
+class KeyLister {
+ public:
+  void sun(const SunSettings& settings) {
+    const auto& [elevation, diameter, spectrum, visible] = settings;
+    put("sun.elevation", digitsOf(elevation));
+    put("sun.diameter", digitsOf(diameter));
+    std::visit([this](const auto& own) { light(own); }, spectrum);
+    static_cast<void>(visible);  // drawn afterwards
+  }
+
+  void ice(const IceSettings& settings) {
+    const std::string index = std::visit(Overloaded{[](const TabulatedIce&) { return std::string("warren-brandt"); },
+                                                    [](const ConstantIce& own) { return digitsOf(own.index); },
+                                                    [](const IceMixture& own) { return digitsOf(own.indices); }},
+                                         settings);
+    put("ice.index", index);
+  }
+
+  void population(std::size_t number, const PopulationSettings& settings) {
+    const auto& [name, weight, shape, orientation] = settings;
+    static_cast<void>(name);  // no ray knows it
+    prefix_ = "population." + std::to_string(number) + ".";
+    put("weight", digitsOf(weight));
+    put("shape", std::string(nameOf(shape)));
+    std::visit([this](const auto& own) { crystal(own); }, shape);
+    std::visit([this](const auto& own) { stance(own); }, orientation);
+    prefix_.clear();
+  }
+
+  void trace(const TraceSettings& settings) {
+    const auto& [rays, seed, engine, path, sampler, symmetry] = settings;
+    static_cast<void>(rays);      // how many there are changes none of them
+    static_cast<void>(seed);      // told apart from the scene
+    static_cast<void>(symmetry);  // of tallies alone
+    put("trace.engine", std::string(nameOf(engine)));
+    put("trace.path", std::string(nameOf(path)));
+    put("trace.sampler", std::string(nameOf(sampler)));
+  }
+
+  void tally(const Scene& scene, Symmetry symmetry) {
+    put("trace.symmetry", std::string(nameOf(symmetry)));
+    for (const auto& [attribute, value] : textFromCamera(scene.camera)) put(attribute, value);
+    put("camera.resolution", std::to_string(scene.camera.width) + " " + std::to_string(scene.camera.height));
+  }
+
+  std::vector<TracedKey> keys;
+
+ private:
+  void put(const std::string& key, std::string value) { keys.push_back({prefix_ + key, std::move(value)}); }
+
+  void light(const ContinuousSpectrum& own) { put("sun.spectrum", std::string(nameOf(own.source))); }
+  void light(const MonochromaticSpectrum& own) { put("sun.spectrum", digitsOf(own.wavelength)); }
+  void light(const BlackBody& own) { put("sun.spectrum", "blackbody " + digitsOf(own.temperature)); }
+  void light(const LineSpectrum& own) {
+    const auto& [wavelengths, weights] = own;
+    put("sun.spectrum", "lines " + digitsOf(wavelengths) + " weights " + digitsOf(weights));
+  }
+
+  void crystal(const PrismSettings& own) {
+    const auto& [aspect] = own;
+    put("aspect", textOf(aspect));
+  }
+  void crystal(const PyramidSettings& own) {
+    const auto& [aspect, upper, lower, slope] = own;
+    put("aspect", digitsOf(aspect));
+    put("upper", digitsOf(upper));
+    put("lower", digitsOf(lower));
+    put("slope", digitsOf(slope));
+  }
+
+  void stance(const RandomOrientation&) { put("orientation", "random"); }
+  void stance(const AxisOrientation& own) {
+    const auto& [zenith, azimuth, roll] = own;
+    put("orientation.zenith", textOf(zenith));
+    put("orientation.azimuth", textOf(azimuth));
+    put("orientation.roll", textOf(roll));
+  }
+  void stance(const LowitzOrientation& own) {
+    const auto& [axisZenith, spin] = own;
+    put("orientation.axis-zenith", textOf(axisZenith));
+    put("orientation.spin", textOf(spin));
+  }
+
+  std::string prefix_;
+};
+
+KeyLister listed(const Scene& scene, const TraceSettings& trace) {
+  KeyLister lister;
+  lister.sun(scene.sun);
+  lister.ice(scene.ice);
+  for (std::size_t i = 0; i < scene.populations.size(); ++i) lister.population(i, scene.populations[i]);
+  lister.trace(trace);
+  return lister;
+}
+
+}  // namespace
+
+std::vector<TracedKey> tracedKeys(const Scene& scene, const TraceSettings& trace) { return listed(scene, trace).keys; }
+
+std::vector<TracedKey> talliedKeys(const Scene& scene, const TraceSettings& trace) {
+  KeyLister lister = listed(scene, trace);
+  lister.tally(scene, trace.symmetry);
+  return lister.keys;
+}
+
+std::uint64_t hashOf(const std::vector<TracedKey>& keys) {
+  Checksum checksum;
+  for (const auto& [key, value] : keys) checksum.add(key + "=" + value + "\n");
+  return checksum.value();
+}
+
+}  // namespace parhelion
