@@ -95,6 +95,9 @@ class RadialSky {
     rings_[static_cast<std::size_t>(bin)].place[static_cast<std::size_t>(slot)] = value;
   }
 
+  /// All integers of all rings.
+  std::span<std::int64_t> sums() { return integersOf(rings_); }
+
   bool operator==(const RadialSky&) const = default;
 
   /// Sets all pixels of a tally from the rings. The radiance is taken as constant across a ring.

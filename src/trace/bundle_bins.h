@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "math/exact_sum.h"
+#include "math/sum_visitor.h"
 #include "sky/fixed_point.h"
 
 namespace parhelion {
@@ -43,6 +44,7 @@ class BundleBins {
   int size() const { return static_cast<int>(sums_.size()); }
   void add(const BundleDeposits<double>& bundle);
   void merge(const BundleBins& other);
+  void visitSums(SumVisitor& visitor);
 
   /// How full the fullest sum of light is, from 0 to 1. Squares have room for more than there ever is.
   double fullness() const;

@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "math/sum_visitor.h"
 #include "trace/traced_rays.h"
 
 namespace parhelion {
@@ -32,6 +33,9 @@ class Film {
 
   /// How full the fullest of all sums is, as they are after finish(), from 0 to 1. At 1 nothing more fits into it.
   virtual double fullness() const { return 0.0; }
+
+  /// Shows all that was merged, as it is before finish().
+  virtual void visitSums(SumVisitor& visitor) = 0;
 };
 
 }  // namespace parhelion

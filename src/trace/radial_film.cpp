@@ -33,4 +33,9 @@ void RadialFilm::merge(Film& fromThread) {
 
 void RadialFilm::finish() { tally_.spreadRings(); }
 
+void RadialFilm::visitSums(SumVisitor& visitor) {
+  visitor.visit(sky_.sums());
+  tally_.info.visitTotals(visitor);
+}
+
 }  // namespace parhelion

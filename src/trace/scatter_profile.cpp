@@ -20,6 +20,13 @@ constexpr double kBeyondLastBin = 1e-12;
 
 }  // namespace
 
+constexpr std::array ScatterProfile::kTotals{
+    &ScatterProfile::intercepted_, &ScatterProfile::undeviated_,    &ScatterProfile::cosine_,
+    &ScatterProfile::cosineSquared_, &ScatterProfile::path_,        &ScatterProfile::pathSquared_,
+    &ScatterProfile::cutOff_,      &ScatterProfile::lost_,          &ScatterProfile::byOrderRest_,
+    &ScatterProfile::weight_,      &ScatterProfile::perArea_,       &ScatterProfile::surfacePerArea_,
+    &ScatterProfile::volumePerArea_};
+
 ScatterProfile::ScatterProfile(int bins, double from, double to)
     : from_(from), width_((to - from) / bins), bins_(bins) {}
 
@@ -92,15 +99,19 @@ void ScatterProfile::merge(Film& fromThread) {
   bins_.merge(other.bins_);
   rays_ += other.rays_;
   bundles_ += other.bundles_;
-  for (const auto sum :
-       {&ScatterProfile::intercepted_, &ScatterProfile::undeviated_, &ScatterProfile::cosine_,
-        &ScatterProfile::cosineSquared_, &ScatterProfile::path_, &ScatterProfile::pathSquared_,
-        &ScatterProfile::cutOff_, &ScatterProfile::lost_, &ScatterProfile::byOrderRest_, &ScatterProfile::weight_,
-        &ScatterProfile::perArea_, &ScatterProfile::surfacePerArea_, &ScatterProfile::volumePerArea_})
-    (this->*sum).merge(other.*sum);
+  for (const auto sum : kTotals) (this->*sum).merge(other.*sum);
   byOrder_.resize(std::max(byOrder_.size(), other.byOrder_.size()));
   for (std::size_t k = 0; k < other.byOrder_.size(); ++k) byOrder_[k].merge(other.byOrder_[k]);
   other = empty();
+}
+
+void ScatterProfile::visitSums(SumVisitor& visitor) {
+  bins_.visitSums(visitor);
+  visitor.visit(rays_);
+  visitor.visit(bundles_);
+  for (const auto sum : kTotals) visitor.visit(this->*sum);
+  byOrder_.resize(kOrders);
+  for (ExactSum& order : byOrder_) visitor.visit(order);
 }
 
 std::vector<ScatterProfile::Bin> ScatterProfile::bins() const {
@@ -129,7 +140,8 @@ ScatterProfile::Summary ScatterProfile::summary() const {
   s.g = cosine_.value() / all;
   s.gError = errorOf(cosine_, cosineSquared_);
   s.undeviated = undeviated_.value() / all;
-  for (const ExactSum& order : byOrder_) s.byOrder.push_back(order.value() / all);
+  const auto last = std::find_if(byOrder_.rbegin(), byOrder_.rend(), [](const ExactSum& sum) { return sum != ExactSum(); });
+  for (auto order = byOrder_.begin(); order != last.base(); ++order) s.byOrder.push_back(order->value() / all);
   s.byOrderRest = byOrderRest_.value() / all;
   s.external = s.byOrder.empty() ? 0.0 : s.byOrder[0];
   s.meanPath = path_.value() / all;

@@ -22,6 +22,7 @@ class ScatterProfile : public Film {
   int add(const TracedRays& traced) override;
   std::unique_ptr<Film> forThread() override;
   void merge(Film& fromThread) override;
+  void visitSums(SumVisitor& visitor) override;
   double fullness() const override { return bins_.fullness(); }
 
   struct Bin {
@@ -56,6 +57,8 @@ class ScatterProfile : public Film {
 
   /// Standard error of `sum` over the intercepted light, from the sum of its squares per bundle.
   double errorOf(const ExactSum& sum, const ExactSum& squares) const;
+
+  static const std::array<ExactSum ScatterProfile::*, 13> kTotals;
 
   double from_, width_;
   BundleBins bins_;

@@ -20,6 +20,7 @@ class SkyMap : public Film {
   int add(const TracedRays& traced) override;
   std::unique_ptr<Film> forThread() override;
   void merge(Film& fromThread) override;
+  void visitSums(SumVisitor& visitor) override;
   double fullness() const override { return bins_.fullness(); }
 
   int columns() const { return 2 * binsPerHalfTurn_; }

@@ -14,7 +14,7 @@ std::string textOf(const RankTask& task) {
   std::ostringstream text;
   text.imbue(std::locale::classic());
   text.precision(std::numeric_limits<double>::max_digits10);
-  text << kNumerics << ' ' << task.threads << ' ' << static_cast<int>(task.simd) << ' ' << task.measurement.index();
+  text << kNumericsVersion << ' ' << task.threads << ' ' << static_cast<int>(task.simd) << ' ' << task.measurement.index();
   std::visit(Overloaded{[](const SkyMeasurement&) {},
                         [&](const MapMeasurement& map) { text << ' ' << map.binsPerHalfTurn; },
                         [&](const ProfileMeasurement& profile) {
@@ -32,8 +32,8 @@ RankTask taskFromText(const std::string& text) {
   int numerics = 0, simd = 0;
   std::size_t kind = 0;
   words >> numerics >> task.threads >> simd >> kind;
-  if (numerics != kNumerics)
-    throw std::runtime_error("its program has numerics " + std::to_string(kNumerics) + ", that of rank 0 " +
+  if (numerics != kNumericsVersionVersion)
+    throw std::runtime_error("its program has numerics " + std::to_string(kNumericsVersion) + ", that of rank 0 " +
                              std::to_string(numerics) + ": all ranks need the same version");
   task.simd = static_cast<Simd>(simd);
   if (kind == 1) words >> task.measurement.emplace<MapMeasurement>().binsPerHalfTurn;

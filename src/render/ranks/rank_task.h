@@ -2,24 +2,11 @@
 #pragma once
 
 #include <string>
-#include <variant>
 
+#include "render/measurement.h"
 #include "trace/trace_settings.h"
 
 namespace parhelion {
-
-/// The scene's light through its camera.
-struct SkyMeasurement {};
-/// Its light over the whole sphere; see SkyMap.
-struct MapMeasurement {
-  int binsPerHalfTurn = 0;
-};
-/// Its light over the scattering angle (rad); see ScatterProfile.
-struct ProfileMeasurement {
-  int bins = 0;
-  double from = 0.0, to = 0.0;
-};
-using Measurement = std::variant<SkyMeasurement, MapMeasurement, ProfileMeasurement>;
 
 /// What all ranks trace together.
 struct RankTask {

@@ -98,7 +98,7 @@ Ranks::Message Ranks::wait() const {
   }
 }
 
-void Ranks::reduce(std::span<std::int64_t> sums) {
+void Ranks::visit(std::span<std::int64_t> sums) {
   // In pieces, so that MPI needs little memory of its own.
   constexpr std::size_t kPiece = 1 << 17;
   static const MPI_Op add = sumBy(addInt64);
@@ -107,17 +107,17 @@ void Ranks::reduce(std::span<std::int64_t> sums) {
     reduceTo0(rank_, piece.data(), static_cast<int>(piece.size()), MPI_INT64_T, add);
   }
   if (rank_ == 0) return;
-  bytesReduced_ += sums.size_bytes();
+  bytesSent_ += sums.size_bytes();
   std::ranges::fill(sums, 0);
 }
 
-void Ranks::reduce(std::uint64_t& sum) {
-  auto bits = std::bit_cast<std::int64_t>(sum);
-  reduce(std::span(&bits, 1));
-  sum = std::bit_cast<std::uint64_t>(bits);
+void Ranks::visit(std::uint64_t& count) {
+  auto bits = std::bit_cast<std::int64_t>(count);
+  visit(std::span(&bits, 1));
+  count = std::bit_cast<std::uint64_t>(bits);
 }
 
-void Ranks::reduce(ExactSum& sum) {
+void Ranks::visit(ExactSum::Units& sum) {
   static const MPI_Op add = sumBy(addInt128);
   static const MPI_Datatype type = [] {
     MPI_Datatype words;
@@ -125,16 +125,20 @@ void Ranks::reduce(ExactSum& sum) {
     MPI_Type_commit(&words);
     return words;
   }();
-  ExactSum::Units units = sum.units();
-  reduceTo0(rank_, &units, 1, type, add);
-  if (rank_ != 0) bytesReduced_ += sizeof units;
-  sum = ExactSum::ofUnits(rank_ == 0 ? units : 0);
+  reduceTo0(rank_, &sum, 1, type, add);
+  if (rank_ == 0) return;
+  bytesSent_ += sizeof sum;
+  sum = 0;
+}
+
+bool Ranks::inAny(bool bad) {
+  int any = bad ? 1 : 0;
+  MPI_Allreduce(MPI_IN_PLACE, &any, 1, MPI_INT, MPI_LOR, MPI_COMM_WORLD);
+  return any != 0;
 }
 
 void Ranks::requireNoOverflow() {
-  int any = overflowed.exchange(false) ? 1 : 0;
-  MPI_Allreduce(MPI_IN_PLACE, &any, 1, MPI_INT, MPI_LOR, MPI_COMM_WORLD);
-  if (any != 0) rejectLight();
+  if (inAny(overflowed.exchange(false))) rejectLight();
 }
 
 void Ranks::abort(int exit) {

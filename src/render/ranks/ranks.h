@@ -8,16 +8,16 @@
 #include <string>
 #include <string_view>
 
-#include "math/exact_sum.h"
+#include "math/sum_visitor.h"
 
 namespace parhelion {
 
 /// The processes of one run, as mpirun has started them: its ranks, numbered from 0. One of these objects lives in each
 /// of them, from before the command line is read to the end. All calls come from the thread that made it.
-class Ranks {
+class Ranks : public SumVisitor {
  public:
   Ranks(int& argc, char**& argv);
-  ~Ranks();
+  ~Ranks() override;
   Ranks(const Ranks&) = delete;
   Ranks& operator=(const Ranks&) = delete;
 
@@ -46,22 +46,26 @@ class Ranks {
 
   /// Adds up integers over all ranks, in a tree: rank 0 gets the sums, all others zeros. All ranks call it at the same
   /// time with as many integers.
-  void reduce(std::span<std::int64_t> sums);
-  void reduce(std::uint64_t& sum);
-  void reduce(ExactSum& sum);
+  void visit(std::span<std::int64_t> sums) override;
+  void visit(std::uint64_t& count) override;
+  void visit(ExactSum::Units& sum) override;
+  using SumVisitor::visit;
+
+  /// Whether `bad` is true in any rank. All ranks call it at the same time.
+  bool inAny(bool bad);
 
   /// Throws std::overflow_error in all ranks if a sum since the last call did not fit. All ranks call it.
   void requireNoOverflow();
 
   /// Bytes of integers that this rank has given away to be added.
-  std::uint64_t bytesReduced() const { return bytesReduced_; }
+  std::uint64_t bytesSent() const { return bytesSent_; }
 
   /// Ends all ranks at once.
   [[noreturn]] static void abort(int exit);
 
  private:
   int rank_ = 0, count_ = 1, onThisMachine_ = 1;
-  std::uint64_t bytesReduced_ = 0;
+  std::uint64_t bytesSent_ = 0;
 };
 
 }  // namespace parhelion
