@@ -3,9 +3,9 @@
 
 namespace parhelion::cli {
 
-void addCommands(CLI::App& app, int& exit) {
-  addRender(app, exit);
-  addTrace(app, exit);
+void addCommands(CLI::App& app, int& exit, Tracers& tracers) {
+  addRender(app, exit, tracers);
+  addTrace(app, exit, tracers);
   addRecon(app, exit);
   addComposite(app, exit);
   addSweep(app, exit);

@@ -3,6 +3,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "render/tracers.h"
+
 namespace parhelion::cli {
 
 /// What `parhelion` ends with, as a shell sees it.
@@ -15,8 +17,9 @@ enum ExitCode {
 };
 
 // Each adds one subcommand. Once the command line is parsed, the chosen command runs and stores how it ended in `exit`.
-void addRender(CLI::App& app, int& exit);
-void addTrace(CLI::App& app, int& exit);
+// Long runs are traced by `tracers`.
+void addRender(CLI::App& app, int& exit, Tracers& tracers);
+void addTrace(CLI::App& app, int& exit, Tracers& tracers);
 void addRecon(CLI::App& app, int& exit);
 void addComposite(CLI::App& app, int& exit);
 void addSweep(CLI::App& app, int& exit);
@@ -29,6 +32,6 @@ void addCheck(CLI::App& app, int& exit);
 void addSchema(CLI::App& app, int& exit);
 
 /// Adds them all.
-void addCommands(CLI::App& app, int& exit);
+void addCommands(CLI::App& app, int& exit, Tracers& tracers);
 
 }  // namespace parhelion::cli

@@ -17,7 +17,6 @@
 #include "cli/say.h"
 #include "cli/stats.h"
 #include "cli/trace_watch.h"
-#include "trace/tracer.h"
 
 namespace parhelion::cli {
 
@@ -64,8 +63,9 @@ void LongRun::trace() {
   heldBefore_ = task_.wanted.count - countOf(missing);
   if (task_.longRun.isPart() || !task_.longRun.resume.empty()) sayWhatIsMissing(missing);
   Film& film = sums_.film();
-  Tracer tracer(task_.cloud, task_.settings, film, task_.run.threads, valueOf<Simd>(task_.run.simd));
-  report_ = traceRun(tracer, film, sums_.origin().rays, missing, task_.cloud.bundleSize(), control());
+  const std::unique_ptr<RayTracer> tracer =
+      task_.tracers.make(task_.cloud, task_.settings, sums_, task_.run.threads, valueOf<Simd>(task_.run.simd));
+  report_ = traceRun(*tracer, film, sums_.origin().rays, missing, task_.cloud.bundleSize(), control());
   progress_.finish();
 }
 
@@ -114,6 +114,7 @@ std::optional<double> LongRun::measureError() {
 }
 
 void LongRun::showProgress(std::uint64_t done, double seconds) {
+  if (stop_.requested() && task_.tracers.areMany()) tellOfLosses();
   const double goal = task_.longRun.goal(), all = static_cast<double>(heldBefore_ + done);
   double share = all / static_cast<double>(task_.wanted.count);
   // The error falls with the root of the rays.
@@ -195,6 +196,18 @@ void LongRun::writeSums(const std::string& output) {
 int LongRun::exitCode() const {
   if (failed_) return kRunTimeFailure;
   return report_.end == RunEnd::stopped ? kInterrupted : kDone;
+}
+
+/// What ends a run of many processes may be the loss of one, which takes the others' light with it, and this process
+/// very soon.
+void LongRun::tellOfLosses() {
+  if (std::exchange(toldOfLosses_, true)) return;
+  const std::string file = task_.checkpoint.string();
+  if (wroteCheckpoint_)
+    say("stopping; if a rank is lost, %s has what was traced until the last checkpoint: go on with --resume %s",
+        file.c_str(), file.c_str());
+  else
+    say("stopping; if a rank is lost, nothing is on disk but what was there before: there was no checkpoint yet");
 }
 
 void LongRun::tell(const std::string& text) {

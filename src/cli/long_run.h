@@ -10,13 +10,14 @@
 #include "cli/progress.h"
 #include "cli/run_options.h"
 #include "cli/stop_signal.h"
-#include "render/run_sums.h"
+#include "render/tracers.h"
 #include "render/tracing_run.h"
 
 namespace parhelion::cli {
 
 /// What a long run is about.
 struct LongRunTask {
+  Tracers& tracers;
   const RunOptions& run;
   const LongRunOptions& longRun;
   const Cloud& cloud;
@@ -65,6 +66,7 @@ class LongRun {
   void checkpointOnTheWay();
   bool tryCheckpoint();
   void tell(const std::string& text);
+  void tellOfLosses();
 
   LongRunTask task_;
   RunSums& sums_;
@@ -75,6 +77,7 @@ class LongRun {
   std::optional<double> error_;   // as measured last
   bool keepsPrevious_ = true;     // false as long as the checkpoint itself is the damaged one
   bool wroteCheckpoint_ = false, isSaved_ = false, failed_ = false;
+  bool toldOfLosses_ = false;
 };
 
 }  // namespace parhelion::cli

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "render/measurement.h"
 #include "sky/tally_info.h"
 #include "trace/cloud.h"
 #include "trace/film.h"
@@ -19,6 +20,9 @@ class RunSums {
 
   /// The film that adds to the sums. Valid as long as they are, from the last read() on.
   virtual Film& film() = 0;
+
+  /// What is added up.
+  virtual Measurement measurement() const = 0;
 
   /// What they are made of. The rays are those that the film has got.
   virtual TallyOrigin& origin() = 0;

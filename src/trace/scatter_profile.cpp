@@ -20,12 +20,10 @@ constexpr double kBeyondLastBin = 1e-12;
 
 }  // namespace
 
-constexpr std::array ScatterProfile::kTotals{
-    &ScatterProfile::intercepted_, &ScatterProfile::undeviated_,    &ScatterProfile::cosine_,
-    &ScatterProfile::cosineSquared_, &ScatterProfile::path_,        &ScatterProfile::pathSquared_,
-    &ScatterProfile::cutOff_,      &ScatterProfile::lost_,          &ScatterProfile::byOrderRest_,
-    &ScatterProfile::weight_,      &ScatterProfile::perArea_,       &ScatterProfile::surfacePerArea_,
-    &ScatterProfile::volumePerArea_};
+std::array<ExactSum*, 13> ScatterProfile::totals() {
+  return {&intercepted_, &undeviated_, &cosine_,      &cosineSquared_, &path_,           &pathSquared_,    &cutOff_,
+          &lost_,        &weight_,     &byOrderRest_, &perArea_,       &surfacePerArea_, &volumePerArea_};
+}
 
 ScatterProfile::ScatterProfile(int bins, double from, double to)
     : from_(from), width_((to - from) / bins), bins_(bins) {}
@@ -99,7 +97,8 @@ void ScatterProfile::merge(Film& fromThread) {
   bins_.merge(other.bins_);
   rays_ += other.rays_;
   bundles_ += other.bundles_;
-  for (const auto sum : kTotals) (this->*sum).merge(other.*sum);
+  const auto own = totals(), more = other.totals();
+  for (std::size_t i = 0; i < own.size(); ++i) own[i]->merge(*more[i]);
   byOrder_.resize(std::max(byOrder_.size(), other.byOrder_.size()));
   for (std::size_t k = 0; k < other.byOrder_.size(); ++k) byOrder_[k].merge(other.byOrder_[k]);
   other = empty();
@@ -109,7 +108,7 @@ void ScatterProfile::visitSums(SumVisitor& visitor) {
   bins_.visitSums(visitor);
   visitor.visit(rays_);
   visitor.visit(bundles_);
-  for (const auto sum : kTotals) visitor.visit(this->*sum);
+  for (ExactSum* sum : totals()) visitor.visit(*sum);
   byOrder_.resize(kOrders);
   for (ExactSum& order : byOrder_) visitor.visit(order);
 }

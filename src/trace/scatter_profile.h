@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "math/exact_sum.h"
@@ -47,6 +48,9 @@ class ScatterProfile : public Film {
   Summary summary() const;
 
  private:
+  /// All sums over rays, but for those by order.
+  std::array<ExactSum*, 13> totals();
+
   static constexpr int kNoBin = -1;
   ScatterProfile empty() const { return {bins_.size(), from_, from_ + width_ * bins_.size()}; }
   int binAt(double angle) const;
@@ -57,8 +61,6 @@ class ScatterProfile : public Film {
 
   /// Standard error of `sum` over the intercepted light, from the sum of its squares per bundle.
   double errorOf(const ExactSum& sum, const ExactSum& squares) const;
-
-  static const std::array<ExactSum ScatterProfile::*, 13> kTotals;
 
   double from_, width_;
   BundleBins bins_;

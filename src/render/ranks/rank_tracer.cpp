@@ -33,14 +33,10 @@ RankTracer::RankTracer(Ranks& ranks, const RankTask& task, const Cloud& cloud, c
       bundleSize_(static_cast<std::uint64_t>(cloud.bundleSize())),
       film_(film),
       own_(cloud, settings, film, threadsOf(task, ranks), task.simd) {
-  order(std::string(kTaskOrder) + textOf(task));
+  ranks.order(std::string(kTaskOrder) + textOf(task));
 }
 
-RankTracer::~RankTracer() { order(std::string(kTaskIsOver)); }
-
-void RankTracer::order(const std::string& text) {
-  for (int rank = 1; rank < ranks_.count(); ++rank) ranks_.send(rank, Ranks::Subject::order, text);
-}
+RankTracer::~RankTracer() { ranks_.order(kTaskIsOver); }
 
 std::uint64_t RankTracer::trace(const RayRange& range, const GoOn& goOn) {
   if (range.first % bundleSize_ != 0)
@@ -58,7 +54,7 @@ std::uint64_t RankTracer::trace(const RayRange& range, const GoOn& goOn) {
     ownDone = true;
   });
   busy_ = ranks_.count() - 1;
-  order(std::string(kTraceOrder));
+  ranks_.order(kTraceOrder);
   try {
     constexpr std::chrono::milliseconds kAskEvery{100};
     Clock::time_point nextQuestion = Clock::now() + kAskEvery;
@@ -114,7 +110,7 @@ void RankTracer::serve(BlockDeal& deal) {
 
 void RankTracer::collect() {
   requireAllWell();
-  order(std::string(kCollectOrder));
+  ranks_.order(kCollectOrder);
   counts_ = collectFromRanks(ranks_, own_, film_);
 }
 

@@ -28,7 +28,6 @@ class RankTracer : public RayTracer {
   int simdLanes() const override { return own_.simdLanes(); }
 
  private:
-  void order(const std::string& text);
   void serve(BlockDeal& deal);
   void requireAllWell() const;
 
@@ -40,8 +39,5 @@ class RankTracer : public RayTracer {
   int busy_ = 0;         // other ranks that have not said yet that they are done
   std::string failure_;  // of the first rank that has failed
 };
-
-/// What every rank but the first does: traces what rank 0 says, until it says that all is over.
-void serveRank0(Ranks& ranks);
 
 }  // namespace parhelion

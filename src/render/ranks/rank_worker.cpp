@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <chrono>
+#include <csignal>
 #include <exception>
 #include <memory>
 #include <optional>
 
 #include "math/overloaded.h"
 #include "render/ranks/rank_film.h"
-#include "render/ranks/rank_tracer.h"
+#include "render/ranks/rank_tracers.h"
 #include "render/ranks/rank_words.h"
 #include "render/traced_sky.h"
 #include "trace/expose.h"
@@ -104,6 +105,8 @@ void serveTask(Ranks& ranks, const std::string& text) {
 }  // namespace
 
 void serveRank0(Ranks& ranks) {
+  // Batch systems send them to all processes. Rank 0 knows what to do, and this one's light is needed for it.
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGUSR1, SIGXCPU, SIGPIPE}) std::signal(signal, SIG_IGN);
   for (std::string order = ranks.wait().text; order != kAllIsOver; order = ranks.wait().text)
     if (order.starts_with(kTaskOrder)) serveTask(ranks, order.substr(kTaskOrder.size()));
 }

@@ -77,6 +77,11 @@ void Ranks::send(int to, Subject subject, std::string_view text) const {
   MPI_Send(text.data(), static_cast<int>(text.size()), MPI_BYTE, to, static_cast<int>(subject), MPI_COMM_WORLD);
 }
 
+void Ranks::order(std::string_view text) const {
+  for (int rank = 0; rank < count_; ++rank)
+    if (rank != rank_) send(rank, Subject::order, text);
+}
+
 std::optional<Ranks::Message> Ranks::next() const {
   int there = 0, bytes = 0;
   MPI_Status status;

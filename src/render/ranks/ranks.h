@@ -38,6 +38,9 @@ class Ranks : public SumVisitor {
 
   void send(int to, Subject subject, std::string_view text) const;
 
+  /// Sends an order to all others.
+  void order(std::string_view text) const;
+
   /// The next message to this rank, if one has come.
   std::optional<Message> next() const;
 
