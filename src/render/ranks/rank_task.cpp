@@ -32,7 +32,7 @@ RankTask taskFromText(const std::string& text) {
   int numerics = 0, simd = 0;
   std::size_t kind = 0;
   words >> numerics >> task.threads >> simd >> kind;
-  if (numerics != kNumericsVersionVersion)
+  if (numerics != kNumericsVersion)
     throw std::runtime_error("its program has numerics " + std::to_string(kNumericsVersion) + ", that of rank 0 " +
                              std::to_string(numerics) + ": all ranks need the same version");
   task.simd = static_cast<Simd>(simd);
