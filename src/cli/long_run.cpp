@@ -129,6 +129,7 @@ void LongRun::checkpointOnTheWay() {
   if (task_.checkpoint.empty()) return tell("SIGUSR1: there is no file for a checkpoint");
   if (!tryCheckpoint()) return;
   wroteCheckpoint_ = true;
+  raysOnDisk_ = sums_.origin().rayCount();
   const Readable rays = readable(static_cast<double>(sums_.origin().rayCount()));
   char text[64];
   std::snprintf(text, sizeof text, "checkpoint: %.4g%s rays in ", rays.value, rays.suffix);
@@ -199,11 +200,11 @@ int LongRun::exitCode() const {
 void LongRun::tellOfLosses() {
   if (std::exchange(toldOfLosses_, true)) return;
   const std::string file = task_.checkpoint.string();
-  if (wroteCheckpoint_)
-    say("stopping; if a rank is lost, %s has what was traced until the last checkpoint: go on with --resume %s",
-        file.c_str(), file.c_str());
+  if (raysOnDisk_ > 0)
+    say("stopping; if a rank is lost, %s holds %" PRIu64 " rays, and --resume %s goes on from them", file.c_str(),
+        raysOnDisk_, file.c_str());
   else
-    say("stopping; if a rank is lost, nothing is on disk but what was there before: there was no checkpoint yet");
+    say("stopping; if a rank is lost, nothing of this run is on disk: there was no checkpoint yet");
 }
 
 void LongRun::tell(const std::string& text) {

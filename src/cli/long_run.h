@@ -78,6 +78,7 @@ class LongRun {
   bool keepsPrevious_ = true;     // false as long as the checkpoint itself is the damaged one
   bool wroteCheckpoint_ = false, isSaved_ = false, failed_ = false;
   bool toldOfLosses_ = false;
+  std::uint64_t raysOnDisk_ = 0;  // in the checkpoint that this run wrote last
 };
 
 }  // namespace parhelion::cli

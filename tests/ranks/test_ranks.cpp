@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cli/shell.h"
+#include "sky/tally_exr.h"
 
 using namespace parhelion::test;
 
@@ -40,7 +41,7 @@ TEST_CASE("one, two and three ranks of one and two threads make the same tally a
     REQUIRE(runRanks(folder, "parhelion trace " + name + ".toml -o " + name + ".exr --quiet").exit == 0);
     for (const std::string ranks : {"1", "2", "3"})
       for (const std::string threads : {"1", "2"}) {
-        CAPTURE(name << " by " << ranks << " ranks of " << threads << " threads");
+        CAPTURE(name + " by " + ranks + " ranks of " + threads + " threads");
         const Outcome outcome = runRanks(folder, "ranks " + ranks + " trace " + name + ".toml --nthreads " + threads +
                                                      " -o sum.exr --quiet && cmp sum.exr " + name + ".exr");
         CHECK_MESSAGE(outcome.exit == 0, outcome.out << outcome.err);
@@ -76,19 +77,18 @@ TEST_CASE("a scene that is wrong is told once, whatever the number of ranks") {
 TEST_CASE("a run that has lost a rank says what is on disk, and another goes on from there") {
   Folder folder;
   writeFile(folder / "s.toml", scene(kPlates));
-  // Rank 1 is killed when there is a checkpoint. Ranks are children of mpirun, rank 0 the first of them.
-  const Outcome lost =
-      runRanks(folder,
-               "{ ranks 2 trace s.toml --rays 4G -o t.exr --checkpoint 0.3s --quiet & } ; "
-               "for i in $(seq 300); do [ -f t.exr ] && break; sleep 0.1; done; sleep 0.5; "
-               "kill -KILL $(pgrep -f 'trace s.toml --rays 4G -o t.exr --checkpoint' | xargs ps -o pid=,args= -p | "
-               "grep -v -e mpirun -e mpiexec -e orterun | tail -1 | awk '{print $1}'); wait");
+  // The last of the processes is killed when there is a checkpoint.
+  const Outcome lost = runRanks(
+      folder,
+      "{ ranks 2 trace s.toml --rays 4G -o t.exr --checkpoint 0.3s --quiet & } ; "
+      "for i in $(seq 300); do [ -f t.exr ] && break; sleep 0.1; done; sleep 0.5; "
+      "kill -KILL $(for p in /proc/[0-9]*; do [ \"$(readlink $p/cwd)\" = \"$PWD\" ] && "
+      "[ \"$(readlink $p/exe)\" = '" PARHELION_MPI_BINARY "' ] && echo ${p#/proc/}; done | sort -n | tail -1); wait");
   CHECK(lost.err.find("--resume t.exr") != std::string::npos);
   // It held whole batches from ray 0 on; 2000 rays more are enough to see that the bits are right.
-  const Outcome resumed = runRanks(
-      folder,
-      "held=$(parhelion info t.exr --json | sed -n 's/.*\"rays\": *\\([0-9]*\\).*/\\1/p' | head -1); more=$((held + 2000)); "
-      "parhelion trace s.toml --rays $more --resume t.exr -o resumed.exr --quiet && "
-      "ranks 2 trace s.toml --rays $more -o whole.exr --quiet && cmp resumed.exr whole.exr");
+  const std::string rays = std::to_string(parhelion::readTallyExr(folder / "t.exr").info.rayCount() + 2000);
+  const Outcome resumed =
+      runRanks(folder, "parhelion trace s.toml --rays " + rays + " --resume t.exr -o resumed.exr --quiet && ranks 2 trace "
+                       "s.toml --rays " + rays + " -o whole.exr --quiet && cmp resumed.exr whole.exr");
   CHECK_MESSAGE(resumed.exit == 0, resumed.out << resumed.err);
 }
