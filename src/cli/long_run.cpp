@@ -110,7 +110,7 @@ std::optional<double> LongRun::measureError() {
 }
 
 void LongRun::showProgress(std::uint64_t done, double seconds) {
-  if (stop_.requested() && task_.tracers.areMany()) tellOfLosses();
+  if (stop_.requested() && task_.tracers.processes() > 1) tellOfLosses();
   const double goal = task_.longRun.goal(), all = static_cast<double>(heldBefore_ + done);
   double share = all / static_cast<double>(task_.wanted.count);
   // The error falls with the root of the rays.
@@ -120,8 +120,12 @@ void LongRun::showProgress(std::uint64_t done, double seconds) {
 }
 
 std::string LongRun::progressLine(Progress::Style style, double done, double seconds) const {
-  TraceProgress progress{static_cast<double>(heldBefore_) + done, static_cast<double>(task_.wanted.count), done, seconds,
-                         error_, task_.longRun.goal()};
+  TraceProgress progress{static_cast<double>(heldBefore_) + done,
+                         static_cast<double>(task_.wanted.count),
+                         done,
+                         seconds,
+                         error_,
+                         task_.longRun.goal()};
   return parhelion::cli::progressLine(style, progress);
 }
 
@@ -155,8 +159,7 @@ bool LongRun::tryCheckpoint() {
 }
 
 void LongRun::writeLastCheckpoint() {
-  const bool leavesOne =
-      task_.longRun.leavesCheckpoint() || wroteCheckpoint_ || report_.end == RunEnd::stopped;
+  const bool leavesOne = task_.longRun.leavesCheckpoint() || wroteCheckpoint_ || report_.end == RunEnd::stopped;
   if (task_.checkpoint.empty() || !leavesOne || !tryCheckpoint()) return;
   isSaved_ = true;
   tell("wrote " + task_.checkpoint.string());
@@ -169,13 +172,17 @@ void LongRun::report() const {
     if (held != report_.rays) say("with those traced before %" PRIu64 " rays", held);
     if (report_.error)
       say("error: %s%s", percent(*report_.error).c_str(),
-                          *report_.error <= task_.longRun.goal() ? "" : ", more than was asked for");
+          *report_.error <= task_.longRun.goal() ? "" : ", more than was asked for");
   }
   if (task_.run.stats.empty()) return;
   nlohmann::ordered_json json = statsJson(task_.settings, report_, task_.run.threads);
   json["rays_held"] = held;
   json["ray_ranges"] = nlohmann::ordered_json::array();
   for (const RayRange& range : sums_.origin().rays) json["ray_ranges"].push_back({range.first, range.end()});
+  if (task_.tracers.processes() > 1) {
+    json["ranks"] = task_.tracers.processes();
+    json["bytes_reduced"] = task_.tracers.bytesReduced();
+  }
   json["ended_by"] = wordFor(report_.end);
   if (report_.error) json["error"] = *report_.error;
   writeJson(task_.run.stats, json);

@@ -21,7 +21,7 @@ constexpr double kBeyondLastBin = 1e-12;
 }  // namespace
 
 std::array<ExactSum*, 13> ScatterProfile::totals() {
-  return {&intercepted_, &undeviated_, &cosine_,      &cosineSquared_, &path_,           &pathSquared_,    &cutOff_,
+  return {&intercepted_, &undeviated_, &cosine_,      &cosineSquared_, &path_,           &pathSquared_,  &cutOff_,
           &lost_,        &weight_,     &byOrderRest_, &perArea_,       &surfacePerArea_, &volumePerArea_};
 }
 
@@ -139,7 +139,8 @@ ScatterProfile::Summary ScatterProfile::summary() const {
   s.g = cosine_.value() / all;
   s.gError = errorOf(cosine_, cosineSquared_);
   s.undeviated = undeviated_.value() / all;
-  const auto last = std::find_if(byOrder_.rbegin(), byOrder_.rend(), [](const ExactSum& sum) { return sum != ExactSum(); });
+  const auto last =
+      std::find_if(byOrder_.rbegin(), byOrder_.rend(), [](const ExactSum& sum) { return sum != ExactSum(); });
   for (auto order = byOrder_.begin(); order != last.base(); ++order) s.byOrder.push_back(order->value() / all);
   s.byOrderRest = byOrderRest_.value() / all;
   s.external = s.byOrder.empty() ? 0.0 : s.byOrder[0];

@@ -31,7 +31,9 @@ struct Farm : Folder {
     std::filesystem::permissions(*this / "bin" / name, std::filesystem::perms::owner_all);
   }
 
-  Outcome shell(const std::string& command) { return run(*this, "export PATH=$PWD/bin:$PATH && unset -f parhelion && " + command); }
+  Outcome shell(const std::string& command) {
+    return run(*this, "export PATH=$PWD/bin:$PATH && unset -f parhelion && " + command);
+  }
 };
 
 /// The text between two marks, from `from` on, which is set behind it; empty at the end.
@@ -96,5 +98,6 @@ TEST_CASE("an OpenCue job traces all slices and makes their picture") {
     CHECK_MESSAGE(outcome.exit == 0, command << "\n" << outcome.err);
   }
   CHECK(std::filesystem::exists(farm / "farm/halo.exr"));
-  CHECK(farm.shell("parhelion trace scene.toml -o whole.tally.exr && cmp farm/whole.tally.exr whole.tally.exr").exit == 0);
+  CHECK(farm.shell("parhelion trace scene.toml -o whole.tally.exr && cmp farm/whole.tally.exr whole.tally.exr").exit ==
+        0);
 }

@@ -14,11 +14,12 @@ namespace {
 
 /// Runs a shell command in `folder`, with `parhelion` and `ranks N ...`, which is the same program in N processes.
 Outcome runRanks(const Folder& folder, const std::string& command) {
-  return run(folder,
-             "export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_btl_base_warn_component_unused=0; "
-             "ranks() { n=$1; shift; '" PARHELION_MPIEXEC "' --bind-to none --oversubscribe -n $n '" PARHELION_MPI_BINARY
-             "' \"$@\"; }; " +
-                 command);
+  return run(
+      folder,
+      "export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_btl_base_warn_component_unused=0; "
+      "ranks() { n=$1; shift; '" PARHELION_MPIEXEC "' --bind-to none --oversubscribe -n $n '" PARHELION_MPI_BINARY
+      "' \"$@\"; }; " +
+          command);
 }
 
 std::string scene(const std::string& population, const std::string& trace = {}) {
@@ -78,17 +79,31 @@ TEST_CASE("a run that has lost a rank says what is on disk, and another goes on 
   Folder folder;
   writeFile(folder / "s.toml", scene(kPlates));
   // The last of the processes is killed when there is a checkpoint.
-  const Outcome lost = runRanks(
-      folder,
-      "{ ranks 2 trace s.toml --rays 4G -o t.exr --checkpoint 0.3s --quiet & } ; "
-      "for i in $(seq 300); do [ -f t.exr ] && break; sleep 0.1; done; sleep 0.5; "
-      "kill -KILL $(for p in /proc/[0-9]*; do [ \"$(readlink $p/cwd)\" = \"$PWD\" ] && "
-      "[ \"$(readlink $p/exe)\" = '" PARHELION_MPI_BINARY "' ] && echo ${p#/proc/}; done | sort -n | tail -1); wait");
+  const Outcome lost = runRanks(folder,
+                                "{ ranks 2 trace s.toml --rays 4G -o t.exr --checkpoint 0.3s --quiet & } ; "
+                                "for i in $(seq 300); do [ -f t.exr ] && break; sleep 0.1; done; sleep 0.5; "
+                                "kill -KILL $(for p in /proc/[0-9]*; do [ \"$(readlink $p/cwd)\" = \"$PWD\" ] && "
+                                "[ \"$(readlink $p/exe)\" = '" PARHELION_MPI_BINARY
+                                "' ] && echo ${p#/proc/}; done | sort -n | tail -1); wait");
   CHECK(lost.err.find("--resume t.exr") != std::string::npos);
   // It held whole batches from ray 0 on; 2000 rays more are enough to see that the bits are right.
   const std::string rays = std::to_string(parhelion::readTallyExr(folder / "t.exr").info.rayCount() + 2000);
-  const Outcome resumed =
-      runRanks(folder, "parhelion trace s.toml --rays " + rays + " --resume t.exr -o resumed.exr --quiet && ranks 2 trace "
-                       "s.toml --rays " + rays + " -o whole.exr --quiet && cmp resumed.exr whole.exr");
+  const Outcome resumed = runRanks(folder, "parhelion trace s.toml --rays " + rays +
+                                               " --resume t.exr -o resumed.exr --quiet && ranks 2 trace "
+                                               "s.toml --rays " +
+                                               rays + " -o whole.exr --quiet && cmp resumed.exr whole.exr");
   CHECK_MESSAGE(resumed.exit == 0, resumed.out << resumed.err);
+}
+
+TEST_CASE("what ranks send for their sums is 64 bytes a pixel from each but the first") {
+  Folder folder;
+  writeFile(folder / "s.toml", scene(kPlates));
+  REQUIRE(runRanks(folder, "ranks 3 trace s.toml -o t.exr --stats s.json --quiet").exit == 0);
+  const std::string stats = readFile(folder / "s.json");
+  const std::string key = "\"bytes_reduced\": ";
+  REQUIRE(stats.find(key) != std::string::npos);
+  const long bytes = std::stol(stats.substr(stats.find(key) + key.size()));
+  CHECK(bytes >= 2 * 64 * 41 * 40);
+  CHECK(bytes < 2 * (64 * 41 * 40 + 1000));  // totals of the run
+  CHECK(stats.find("\"ranks\": 3") != std::string::npos);
 }

@@ -9,8 +9,8 @@
 
 namespace parhelion {
 
-/// Deals the rays of a range to ranks, block after block from the first ray on. All blocks dealt make one gapless range.
-/// Safe to use from any number of threads at once.
+/// Deals the rays of a range to ranks, block after block from the first ray on. All blocks dealt make one gapless
+/// range. Safe to use from any number of threads at once.
 class BlockDeal {
  public:
   /// `bundleSize` rays are never parted, except at the range's end.

@@ -14,13 +14,14 @@ std::string textOf(const RankTask& task) {
   std::ostringstream text;
   text.imbue(std::locale::classic());
   text.precision(std::numeric_limits<double>::max_digits10);
-  text << kNumericsVersion << ' ' << task.threads << ' ' << static_cast<int>(task.simd) << ' ' << task.measurement.index();
-  std::visit(Overloaded{[](const SkyMeasurement&) {},
-                        [&](const MapMeasurement& map) { text << ' ' << map.binsPerHalfTurn; },
-                        [&](const ProfileMeasurement& profile) {
-                          text << ' ' << profile.bins << ' ' << profile.from << ' ' << profile.to;
-                        }},
-             task.measurement);
+  text << kNumericsVersion << ' ' << task.threads << ' ' << static_cast<int>(task.simd) << ' '
+       << task.measurement.index();
+  std::visit(
+      Overloaded{[](const SkyMeasurement&) {}, [&](const MapMeasurement& map) { text << ' ' << map.binsPerHalfTurn; },
+                 [&](const ProfileMeasurement& profile) {
+                   text << ' ' << profile.bins << ' ' << profile.from << ' ' << profile.to;
+                 }},
+      task.measurement);
   text << '\n' << task.scene;
   return text.str();
 }

@@ -39,8 +39,7 @@ RankTracer::RankTracer(Ranks& ranks, const RankTask& task, const Cloud& cloud, c
 RankTracer::~RankTracer() { ranks_.order(kTaskIsOver); }
 
 std::uint64_t RankTracer::trace(const RayRange& range, const GoOn& goOn) {
-  if (range.first % bundleSize_ != 0)
-    throw std::invalid_argument("a range must start with the first ray of a bundle");
+  if (range.first % bundleSize_ != 0) throw std::invalid_argument("a range must start with the first ray of a bundle");
   BlockDeal deal(range, bundleSize_, ranks_.count());
   std::exception_ptr ownFailure;
   std::atomic<bool> ownDone{false};

@@ -14,7 +14,10 @@ class RankTracers : public Tracers {
 
   std::unique_ptr<RayTracer> make(const Cloud& cloud, const TraceSettings& settings, RunSums& sums, int threads,
                                   Simd simd) override;
-  bool areMany() const override { return ranks_.count() > 1; }
+  int processes() const override { return ranks_.count(); }
+  std::uint64_t bytesReduced() const override {
+    return static_cast<std::uint64_t>(ranks_.count() - 1) * ranks_.bytesReduced();
+  }
 
  private:
   Ranks& ranks_;

@@ -47,18 +47,17 @@ class RankWorker {
 
 std::unique_ptr<Film> RankWorker::filmOf(const Measurement& measurement) {
   const Vec3 toSun = cloud_.sun().toCentre();
-  return std::visit(
-      Overloaded{[&](const SkyMeasurement&) -> std::unique_ptr<Film> {
-                   tally_ = emptyTally(loaded_, cloud_);
-                   return makeFilm(*tally_, cloud_, settings_.symmetry);
-                 },
-                 [&](const MapMeasurement& map) -> std::unique_ptr<Film> {
-                   return std::make_unique<SkyMap>(toSun, map.binsPerHalfTurn);
-                 },
-                 [&](const ProfileMeasurement& profile) -> std::unique_ptr<Film> {
-                   return std::make_unique<ScatterProfile>(profile.bins, profile.from, profile.to);
-                 }},
-      measurement);
+  return std::visit(Overloaded{[&](const SkyMeasurement&) -> std::unique_ptr<Film> {
+                                 tally_ = emptyTally(loaded_, cloud_);
+                                 return makeFilm(*tally_, cloud_, settings_.symmetry);
+                               },
+                               [&](const MapMeasurement& map) -> std::unique_ptr<Film> {
+                                 return std::make_unique<SkyMap>(toSun, map.binsPerHalfTurn);
+                               },
+                               [&](const ProfileMeasurement& profile) -> std::unique_ptr<Film> {
+                                 return std::make_unique<ScatterProfile>(profile.bins, profile.from, profile.to);
+                               }},
+                    measurement);
 }
 
 /// Traces what rank 0 deals, until it deals no more. One block is always under way, so that none waits for it.

@@ -111,8 +111,8 @@ void Ranks::visit(std::span<std::int64_t> sums) {
     const std::span<std::int64_t> piece = sums.subspan(first, std::min(kPiece, sums.size() - first));
     reduceTo0(rank_, piece.data(), static_cast<int>(piece.size()), MPI_INT64_T, add);
   }
+  bytesReduced_ += sums.size_bytes();
   if (rank_ == 0) return;
-  bytesSent_ += sums.size_bytes();
   std::ranges::fill(sums, 0);
 }
 
@@ -131,9 +131,8 @@ void Ranks::visit(ExactSum::Units& sum) {
     return words;
   }();
   reduceTo0(rank_, &sum, 1, type, add);
-  if (rank_ == 0) return;
-  bytesSent_ += sizeof sum;
-  sum = 0;
+  bytesReduced_ += sizeof sum;
+  if (rank_ != 0) sum = 0;
 }
 
 bool Ranks::inAny(bool bad) {

@@ -60,15 +60,15 @@ class Ranks : public SumVisitor {
   /// Throws std::overflow_error in all ranks if a sum since the last call did not fit. All ranks call it.
   void requireNoOverflow();
 
-  /// Bytes of integers that this rank has given away to be added.
-  std::uint64_t bytesSent() const { return bytesSent_; }
+  /// Bytes of integers that each rank but the first has given away to be added.
+  std::uint64_t bytesReduced() const { return bytesReduced_; }
 
   /// Ends all ranks at once.
   [[noreturn]] static void abort(int exit);
 
  private:
   int rank_ = 0, count_ = 1, onThisMachine_ = 1;
-  std::uint64_t bytesSent_ = 0;
+  std::uint64_t bytesReduced_ = 0;
 };
 
 }  // namespace parhelion
