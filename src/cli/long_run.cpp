@@ -17,16 +17,12 @@
 #include "cli/say.h"
 #include "cli/stats.h"
 #include "cli/trace_watch.h"
+#include "picture/file_kind.h"
 #include "trace/tracer.h"
 
 namespace parhelion::cli {
 
 namespace {
-
-/// The rays of `wanted` that are among `held`.
-std::uint64_t countWithin(const RayRange& wanted, const RayRanges& held) {
-  return wanted.count - countOf(raysWithout({wanted}, held));
-}
 
 const char* wordFor(RunEnd end) {
   switch (end) {

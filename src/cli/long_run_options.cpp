@@ -101,8 +101,8 @@ RayRange LongRunOptions::wanted(std::uint64_t rays, int bundleSize, const RunOpt
     throw CLI::ValidationError("--ray-range", rayRange + " ends beyond the " + run.rays + " of --rays");
   try {
     requireBundleStart(range, bundleSize);
-  } catch (const std::invalid_argument& error) {
-    throw CLI::ValidationError("--ray-range", error.what());
+  } catch (const std::invalid_argument& refused) {
+    throw CLI::ValidationError("--ray-range", refused.what());
   }
   return range;
 }

@@ -6,7 +6,6 @@
 #include "parallel/threads.h"
 #include "render/sky_files.h"
 #include "render/sky_sums.h"
-#include "sky/camera.h"
 #include "sky/picture_error.h"
 
 namespace parhelion::cli {
@@ -34,7 +33,7 @@ class Development {
     } catch (const ReconStopped&) {
       return {};
     }
-    return pictureError(sky_->image, Camera(tally_.info.camera).solidAngles());
+    return pictureError(sky_->image, tally_);
   }
 
   ReconstructedSky take() {

@@ -6,9 +6,7 @@
 #include "cli/outputs.h"
 #include "cli/say.h"
 #include "render/sky_sums.h"
-#include "sky/camera.h"
 #include "sky/picture_error.h"
-#include "sky/radiance.h"
 
 namespace parhelion::cli {
 
@@ -19,10 +17,6 @@ struct TraceOptions {
   LongRunOptions longRun;
   std::string output;  // empty: the tally that is gone on from
 };
-
-double plainError(const Tally& tally) {
-  return pictureError(plainRadiance(tally), Camera(tally.info.camera).solidAngles());
-}
 
 int runTrace(const TraceOptions& options) {
   const std::string& output = options.output.empty() ? options.longRun.resume : options.output;

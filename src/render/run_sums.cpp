@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "picture/atomic_file.h"
 #include "trace/trace.h"
 
 namespace parhelion {

@@ -12,10 +12,6 @@ namespace parhelion {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
-
 // Of the checkpoints that nobody has asked for.
 constexpr double kChosenInterval = 600.0;  // s
 constexpr double kShortestRun = 1200.0;    // s; a shorter one can as well be traced again
@@ -33,6 +29,7 @@ class Run {
   RunReport trace(const RayRanges& missing);
 
  private:
+  double seconds() const;
   bool traceRange(RayRange left);
   bool goOn(std::uint64_t done);
   bool checkpointIsDue(double now, std::uint64_t done);
@@ -50,7 +47,7 @@ class Run {
   RayRanges& held_;
   const int bundleSize_;
   const RunControl& control_;
-  const Clock::time_point start_ = Clock::now();
+  const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 
   RunReport report_;
   std::uint64_t wanted_ = 0, done_ = 0;  // rays of this run
@@ -72,9 +69,14 @@ RunReport Run::trace(const RayRanges& missing) {
   makeResult();
   if (control_.goal.error > 0.0 && report_.end != RunEnd::stopped) isGoodEnough();
   static_cast<TraceCounts&>(report_) = tracer_.counts();
-  report_.seconds = secondsSince(start_);
+  report_.seconds = seconds();
   report_.interrupted = report_.end == RunEnd::stopped || report_.end == RunEnd::timeOver;
   return report_;
+}
+
+/// Since the run began.
+double Run::seconds() const {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
 }
 
 /// False if the run ends here.
@@ -97,7 +99,7 @@ bool Run::traceRange(RayRange left) {
 
 /// After each batch of rays: whether to trace another one.
 bool Run::goOn(std::uint64_t done) {
-  const double now = secondsSince(start_);
+  const double now = seconds();
   if (control_.onProgress) control_.onProgress(done, now);
   if (done >= wanted_) return true;  // nothing is left to be stopped
   if (control_.stop && *control_.stop)
@@ -119,10 +121,10 @@ bool Run::checkpointIsDue(double now, std::uint64_t done) {
 }
 
 void Run::writeCheckpoint() {
-  const double before = secondsSince(start_);
+  const double before = seconds();
   makeResult();
   control_.checkpoints.write();
-  lastCheckpoint_ = secondsSince(start_);
+  lastCheckpoint_ = seconds();
   lastCost_ = lastCheckpoint_ - before;
   checkpointIsDue_ = false;
 }
