@@ -25,7 +25,7 @@ int runTrace(const TraceOptions& options) {
   const Cloud cloud = cloudOf(loaded.scene);
   const TraceSettings settings = chosenSettings(cloud, loaded.scene.trace);
   const RayRange wanted = options.longRun.wanted(settings.rays, cloud.bundleSize(), options.run);
-  requireOutputs({{options.run.scene}, {output, options.run.stats}}, options.run.overwrite);
+  Transaction outputs = claimOutputs({{options.run.scene}, {output, options.run.stats}}, options.run.overwrite);
   const StopSignal stop;
   SkySums sums(loaded, cloud);
   const std::string checkpoint = isStream(output) ? "" : output;
@@ -33,8 +33,9 @@ int runTrace(const TraceOptions& options) {
                [&] { return std::optional(plainError(sums.tally())); }},
               sums, stop);
   run.trace();
-  run.report();
-  run.writeSums(output);
+  run.report(outputs);
+  run.writeSums(outputs.at(output));
+  outputs.commit();
   if (!options.run.quiet) say("wrote %s", output.c_str());
   return run.exitCode();
 }

@@ -158,18 +158,18 @@ SumsPart listPart(std::string name, std::size_t numbers) {
   return {std::move(name), static_cast<int>(width), std::max(1, static_cast<int>((numbers + width - 1) / width))};
 }
 
-void writeSumsExr(const std::filesystem::path& path, const ExrAttributes& attributes, std::span<const SumsPart> parts,
+void writeSumsExr(const Output& output, const ExrAttributes& attributes, std::span<const SumsPart> parts,
                   const SumsSource& source) {
-  withExrErrors(path, [&] {
+  withExrErrors(output.path, [&] {
     std::vector<Imf::Header> headers;
     for (const SumsPart& part : parts) headers.push_back(headerOf(part, parts.front()));
     insertText(headers.front(), completed(attributes, parts, source));
-    AtomicFile file(path);
+    AtomicFile file(output);
     {
-      ExrOutput stream(path, file);
-      Imf::MultiPartOutputFile output(stream, headers.data(), static_cast<int>(headers.size()));
+      ExrOutput stream(output.path, file);
+      Imf::MultiPartOutputFile writer(stream, headers.data(), static_cast<int>(headers.size()));
       for (std::size_t i = 0; i < parts.size(); ++i)
-        writePart(Imf::OutputPart(output, static_cast<int>(i)), parts[i], i, source);
+        writePart(Imf::OutputPart(writer, static_cast<int>(i)), parts[i], i, source);
     }  // here OpenEXR writes its tables of scan lines
     file.commit();
   });

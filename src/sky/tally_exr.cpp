@@ -80,12 +80,12 @@ TallyInfo infoOf(const std::filesystem::path& path, const SumsExr& file) {
 
 }  // namespace
 
-void writeTallyExr(const std::filesystem::path& path, const Tally& tally) {
+void writeTallyExr(const Output& output, const Tally& tally) {
   ExrAttributes attributes = textFromInfo(tally.info);
   attributes["software"] = "Parhelion " + tally.info.version;
   const auto slots = static_cast<std::size_t>(tally.slots());
   writeSumsExr(
-      path, attributes, partsOf(tally), [&](std::size_t part, std::size_t first, std::span<std::int64_t> values) {
+      output, attributes, partsOf(tally), [&](std::size_t part, std::size_t first, std::span<std::int64_t> values) {
         const int slot = static_cast<int>(part % slots);
         for (std::size_t i = 0; i < values.size(); ++i)
           values[i] =
