@@ -55,16 +55,13 @@ void requireSense(const CompositeOptions& options) {
     throw CLI::ValidationError("--mask-out is for a mask that is found; --mask or --all-sky say it already");
 }
 
-/// All that will be written can be, and nothing is written over an input or another output.
-void requireAll(const CompositeOptions& options) {
+Transaction claimAll(const CompositeOptions& options) {
   Files files{{options.photo, options.mask, options.halo.file()}, {options.output, options.halo.run.stats}};
   if (options.findsSky()) files.outputs.push_back(options.foundMask());
   if (options.findsSky() && !options.halo.run.overwrite) requireUnchangedMask(options.foundMask());
-  requireOutputs(files, options.halo.run.overwrite);
-  if (options.layers.empty()) return;
-  std::filesystem::create_directory(options.layers);
+  if (!options.layers.empty()) files.folders.push_back(options.layers);
   for (const std::filesystem::path& layer : editingFiles(options.layers)) files.outputs.push_back(layer);
-  requireOutputs(files, options.halo.run.overwrite);
+  return claimOutputs(files, options.halo.run.overwrite);
 }
 
 SkyMask maskOf(const CompositeOptions& options, const Photograph& photograph, const PhotoCamera& camera) {
@@ -104,7 +101,7 @@ void report(const CompositeOptions& options, double pixels, const AddedHaloRepor
 
 int runComposite(const CompositeOptions& options) {
   requireSense(options);
-  requireAll(options);
+  Transaction outputs = claimAll(options);
   const StopSignal stop;
   const bool quiet = options.halo.run.quiet;
   requireFit(options.photo, Wanted::photograph);
@@ -114,16 +111,17 @@ int runComposite(const CompositeOptions& options) {
   sayAll(camera.remarks, quiet);
 
   const SkyMask mask = maskOf(options, photograph, camera);
-  const auto [halo, exit] = options.halo.make(camera, stop);
+  const auto [halo, exit] = options.halo.make(camera, stop, outputs);
   const HaloStrength strength =
       haloStrength(strengthSettings(options), photograph, mask, camera.camera, camera.sunElevation, halo.lookup);
   sayAll(strength.remarks, quiet);
 
-  CompositeFiles files{options.photo, options.output, options.layers, {}};
+  CompositeFiles files{options.photo, options.output, options.layers, {}, &outputs};
   if (options.findsSky()) files.foundMask = options.foundMask();
   const double pixels = static_cast<double>(photograph.pixels());
   const AddedHaloReport done = writeComposite(files, std::move(photograph), {halo.lookup, mask, strength.perRadiance},
                                               camera, halo.attributes, options.halo.run.threads);
+  outputs.commit();
   if (!quiet) report(options, pixels, done);
   return exit;
 }

@@ -39,16 +39,16 @@ double HaloOptions::sunElevation() const {
   return picture.empty() ? run.load().scene.sun.elevation : sunElevationIn(picture);
 }
 
-HaloOptions::Result HaloOptions::make(const PhotoCamera& camera, const StopSignal& stop) const {
-  return picture.empty() ? render(camera, stop) : Result{readHalo(picture, camera), kDone};
+HaloOptions::Result HaloOptions::make(const PhotoCamera& camera, const StopSignal& stop, Transaction& outputs) const {
+  return picture.empty() ? render(camera, stop, outputs) : Result{readHalo(picture, camera), kDone};
 }
 
-HaloOptions::Result HaloOptions::render(const PhotoCamera& camera, const StopSignal& stop) const {
+HaloOptions::Result HaloOptions::render(const PhotoCamera& camera, const StopSignal& stop, Transaction& outputs) const {
   const SceneLoader load = [this](const std::vector<std::string>& overrides) { return run.load(overrides); };
   const HaloScene scene = haloSceneFor(camera, coarseness, load);
   TraceWatch watch(run, scene.coarse.scene.trace.rays, stop);
   const TracedSky traced = traceSky(scene.coarse, cloudOf(scene.coarse.scene), watch.control());
-  const int exit = watch.report(traced);
+  const int exit = watch.report(traced, outputs);
   return {haloOf(traced, scene, camera, run.threads), exit};
 }
 

@@ -6,6 +6,7 @@
 
 #include "cli/run_options.h"
 #include "cli/stop_signal.h"
+#include "picture/transaction.h"
 #include "render/halo_source.h"
 
 namespace parhelion::cli {
@@ -32,11 +33,12 @@ struct HaloOptions {
     int exitCode;
   };
 
-  /// The halo as this camera sees it, with the sun where it saw it. Throws std::runtime_error, SceneError.
-  Result make(const PhotoCamera& camera, const StopSignal& stop) const;
+  /// The halo as this camera sees it, with the sun where it saw it; figures of the run go to `outputs`. Throws
+  /// std::runtime_error, SceneError.
+  Result make(const PhotoCamera& camera, const StopSignal& stop, Transaction& outputs) const;
 
  private:
-  Result render(const PhotoCamera& camera, const StopSignal& stop) const;
+  Result render(const PhotoCamera& camera, const StopSignal& stop, Transaction& outputs) const;
 };
 
 }  // namespace parhelion::cli

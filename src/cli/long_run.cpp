@@ -165,7 +165,7 @@ void LongRun::writeLastCheckpoint() {
   tell("wrote " + task_.checkpoint.string());
 }
 
-void LongRun::report() const {
+void LongRun::report(Transaction& outputs) const {
   const std::uint64_t held = sums_.origin().rayCount();
   if (!task_.run.quiet) {
     printLedger(report_);
@@ -185,15 +185,13 @@ void LongRun::report() const {
   }
   json["ended_by"] = wordFor(report_.end);
   if (report_.error) json["error"] = *report_.error;
-  writeJson(task_.run.stats, json);
+  writeJson(outputs.at(task_.run.stats), json);
 }
 
-void LongRun::writeSums(const std::string& output) {
+void LongRun::writeSums(const Output& output) {
+  sums_.write(output);
   const bool isCheckpoint = !task_.checkpoint.empty() && (wroteCheckpoint_ || task_.longRun.asksForCheckpoints());
-  if (isCheckpoint)
-    writeCheckpoint(output, sums_, keepsPrevious_);
-  else
-    sums_.write(output == "-" ? "/dev/stdout" : output);
+  if (isCheckpoint && keepsPrevious_) keepPrevious(output.path);
   failed_ = false;
 }
 

@@ -10,6 +10,7 @@
 #include "cli/progress.h"
 #include "cli/run_options.h"
 #include "cli/stop_signal.h"
+#include "picture/transaction.h"
 #include "render/tracers.h"
 #include "render/tracing_run.h"
 
@@ -38,11 +39,11 @@ class LongRun {
   /// damaged, or the run fails.
   void trace();
 
-  /// After trace(): prints the energy ledger and writes the stats file.
-  void report() const;
+  /// After trace(): prints the energy ledger and writes the stats file as one of the outputs.
+  void report(Transaction& outputs) const;
 
-  /// Writes the sums as an output of the command, - being stdout. Throws std::runtime_error.
-  void writeSums(const std::string& output);
+  /// Writes the sums as an output of the command, which is to be committed right away. Throws std::runtime_error.
+  void writeSums(const Output& output);
 
   /// Writes the last checkpoint, if this is a run that leaves one and its output is not the checkpoint itself. A file
   /// that cannot be written is one warning.

@@ -40,15 +40,16 @@ std::string csv(const SkyMap& map) {
 
 int runMap(const MapOptions& options, int binsPerHalfTurn) {
   const LoadedScene loaded = options.run.load();
-  requireOutputs({{options.run.scene}, {options.output, options.run.stats}}, options.run.overwrite);
+  Transaction outputs = claimOutputs({{options.run.scene}, {options.output, options.run.stats}}, options.run.overwrite);
   const StopSignal stop;
   TraceWatch watch(options.run, loaded.scene.trace.rays, stop);
   const TracedMap traced = traceMap(loaded.scene, binsPerHalfTurn, watch.control());
-  const int exit = watch.report(traced);
+  const int exit = watch.report(traced, outputs);
   if (options.toExr())
-    writeBeautyExr(options.output, mapPicture(traced.map), sceneAttributes(loaded, traced.report.rays));
+    writeBeautyExr(outputs.at(options.output), mapPicture(traced.map), sceneAttributes(loaded, traced.report.rays));
   else
-    writeText(options.output, csv(traced.map));
+    writeText(outputs.at(options.output), csv(traced.map));
+  outputs.commit();
   return exit;
 }
 

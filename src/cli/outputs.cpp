@@ -9,7 +9,6 @@
 #include <sys/stat.h>
 
 #include "cli/own_files.h"
-#include "picture/atomic_file.h"
 
 namespace parhelion::cli {
 
@@ -46,27 +45,40 @@ void requireDistinct(const Files& files) {
   }
 }
 
+void claimOutput(Transaction& run, const std::string& output, bool overwrite) {
+  if (output.empty() || isNull(output)) return;
+  run.claim(output);
+  if (isStream(output) || overwrite || !std::filesystem::exists(output) || isOwnFile(output)) return;
+  throw std::runtime_error(output +
+                           ": is there and was not written by parhelion, so it is not replaced; name another output, "
+                           "or say --overwrite");
+}
+
 }  // namespace
 
 void addOverwrite(CLI::App& command, bool& overwrite) {
   command.add_flag("--overwrite", overwrite, "Replace files, too, that parhelion has not written");
 }
 
+Transaction claimOutputs(const Files& files, bool overwrite) {
+  requireDistinct(files);
+  Transaction run;
+  for (const std::string& folder : files.folders) run.makeFolder(folder);
+  for (const std::string& output : files.outputs) claimOutput(run, output, overwrite);
+  return run;
+}
+
 void requireOutputs(const Files& files, bool overwrite) {
   requireDistinct(files);
   for (const std::string& output : files.outputs) {
-    if (output.empty() || isStream(output)) continue;
-    AtomicFile file(output);
-    if (overwrite || !std::filesystem::exists(output) || isOwnFile(output)) continue;
-    throw std::runtime_error(output +
-                             ": is there and was not written by parhelion, so it is not replaced; name another "
-                             "output, or say --overwrite");
+    Transaction alone;
+    claimOutput(alone, output, overwrite);
   }
 }
 
 bool isStream(const std::string& name) {
   if (name.empty()) return false;
-  if (name == "-" || descriptorOf(name)) return true;
+  if (descriptorOf(name)) return true;
   struct stat status {};
   return ::stat(name.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
 }

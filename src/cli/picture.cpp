@@ -9,8 +9,8 @@
 #include "cli/run_options.h"
 #include "cli/say.h"
 #include "math/names.h"
-#include "picture/atomic_file.h"
 #include "picture/photograph.h"
+#include "picture/staged_file.h"
 
 namespace parhelion::cli {
 
@@ -18,7 +18,7 @@ namespace {
 
 /// Of the EXR that is made from an input.
 std::filesystem::path ownName(const std::string& input) {
-  if (input == "-" || descriptorOf(input))
+  if (descriptorOf(input))
     throw CLI::ValidationError("-o", "a scene from a pipe has no name to call the picture by; name an .exr");
   return std::filesystem::path(input).filename().replace_extension(".exr");
 }
@@ -67,12 +67,8 @@ SkyFiles PictureOptions::files(const std::string& input) const {
   return {exr, png, exposure, gamutOf(gamut)};
 }
 
-void writePicture(ReconstructedSky sky, const TallyInfo& info, const LoadedScene& loaded, const PictureOptions& options,
-                  const std::string& input, bool quiet) {
-  const SkyFiles files = options.files(input);
-  const WrittenSky written = writeSkyFiles(files, std::move(sky.image), info, loaded);
-  if (quiet) return;
-  for (const std::string& remark : sky.remarks) say("recon: %s", remark.c_str());
+void reportPicture(const SkyFiles& files, const WrittenSky& written, const std::vector<std::string>& remarks) {
+  for (const std::string& remark : remarks) say("recon: %s", remark.c_str());
   say("wrote %s and %s (exposure %s)", files.exr.c_str(), files.png.c_str(), exposureText(written.exposure).c_str());
   if (written.badPixels > 0) say("%zu pixels are not finite and black in the preview", written.badPixels);
 }

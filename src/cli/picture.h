@@ -3,14 +3,12 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
 #include "picture/gamut.h"
-#include "recon/reconstruct.h"
 #include "render/sky_files.h"
-#include "scene/parse_scene.h"
-#include "sky/tally.h"
 
 namespace parhelion::cli {
 
@@ -34,10 +32,7 @@ void addGamut(CLI::App& command, std::string& gamut);
 /// What --gamut says.
 Gamut gamutOf(const std::string& gamut);
 
-/// Draws the sun into a sky reconstructed from a tally with that info if the scene makes it visible, and writes the
-/// linear EXR and the PNG preview. Says on stderr what was written, and what the reconstruction remarked, unless
-/// `quiet`. Throws std::runtime_error.
-void writePicture(ReconstructedSky sky, const TallyInfo& info, const LoadedScene& loaded, const PictureOptions& options,
-                  const std::string& input, bool quiet);
+/// Says on stderr what was written, and what the reconstruction remarked.
+void reportPicture(const SkyFiles& files, const WrittenSky& written, const std::vector<std::string>& remarks);
 
 }  // namespace parhelion::cli

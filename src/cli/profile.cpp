@@ -56,14 +56,16 @@ nlohmann::ordered_json json(const ScatterProfile::Summary& s) {
 
 int runProfile(const ProfileOptions& options) {
   const Scene scene = options.run.load().scene;
-  requireOutputs({{options.run.scene}, {options.output, options.summary, options.run.stats}}, options.run.overwrite);
+  Transaction outputs =
+      claimOutputs({{options.run.scene}, {options.output, options.summary, options.run.stats}}, options.run.overwrite);
   const StopSignal stop;
   TraceWatch watch(options.run, scene.trace.rays, stop);
   const TracedProfile traced =
       traceProfile(scene, options.bins, radians(options.from), radians(options.to), watch.control());
-  const int exit = watch.report(traced);
-  writeText(options.output, csv(traced.profile));
-  if (!options.summary.empty()) writeJson(options.summary, json(traced.profile.summary()));
+  const int exit = watch.report(traced, outputs);
+  writeText(outputs.at(options.output), csv(traced.profile));
+  if (!options.summary.empty()) writeJson(outputs.at(options.summary), json(traced.profile.summary()));
+  outputs.commit();
   return exit;
 }
 

@@ -144,15 +144,17 @@ std::string comparisonText(const nlohmann::ordered_json& table) {
 }
 
 /// Compares with the references, if there are any, and prints the table.
-void printComparison(const ReconOptions& options, const ReconRun& run, const std::vector<Tally>& references) {
+void printComparison(const ReconOptions& options, const ReconRun& run, const std::vector<Tally>& references,
+                     Transaction& outputs) {
   if (references.empty()) return;
   const Tally* second = references.size() == 2 ? &references[1] : nullptr;
   const Comparison result = withThreads(options.threads, [&] { return compare(run.sky.image, references[0], second); });
   const nlohmann::ordered_json table = comparisonJson(result);
-  writeText("-", options.json ? table.dump() + "\n" : comparisonText(table));
+  writeText(outputs.at("-"), options.json ? table.dump() + "\n" : comparisonText(table));
 }
 
-void writeReconStats(const ReconOptions& options, const Tally& tally, std::string_view method, const ReconRun& run) {
+void writeReconStats(const ReconOptions& options, const Tally& tally, std::string_view method, const ReconRun& run,
+                     Transaction& outputs) {
   std::int64_t hits = 0;
   for (int pixel = 0; pixel < tally.pixels(); ++pixel) hits += tally.hits(pixel);
   nlohmann::ordered_json json;
@@ -166,16 +168,15 @@ void writeReconStats(const ReconOptions& options, const Tally& tally, std::strin
   json["hits"] = hits;
   json["peak_memory_bytes"] = processUsage().peakMemory;
   json["remarks"] = run.sky.remarks;
-  writeJson(options.stats, json);
+  writeJson(outputs.at(options.stats), json);
 }
 
-void requireOutputsOf(const ReconOptions& options, const std::string& name) {
+Transaction claimOutputsOf(const ReconOptions& options, const SkyFiles& sky) {
   Files files{options.references, {}};
   files.inputs.push_back(options.tally);
   const std::string table = options.references.empty() ? "" : "-";
-  const SkyFiles sky = options.picture.files(name);
   files.outputs = {sky.exr, sky.png, options.confidence, options.stats, table};
-  requireOutputs(files, options.overwrite);
+  return claimOutputs(files, options.overwrite);
 }
 
 int runRecon(const ReconOptions& options) {
@@ -184,7 +185,8 @@ int runRecon(const ReconOptions& options) {
   const LoadedScene loaded = options.load(tally);
   // A tally is an EXR, too: the picture's name must differ.
   const std::string name = std::filesystem::path(options.tally).stem().string() + "-sky";
-  requireOutputsOf(options, name);
+  SkyFiles files = options.picture.files(name);
+  Transaction outputs = claimOutputsOf(options, files);
   const std::vector<Tally> references = readReferences(options, tally);
 
   ReconRun run;
@@ -195,10 +197,14 @@ int runRecon(const ReconOptions& options) {
     return kInterrupted;
   }
   // Before the sun is drawn.
-  if (!options.confidence.empty()) writePng(options.confidence, confidence(run.sky.image), {{"Software", kSoftware}});
-  if (!options.stats.empty()) writeReconStats(options, tally, nameOf(loaded.scene.recon), run);
-  printComparison(options, run, references);
-  writePicture(std::move(run.sky), tally.info, loaded, options.picture, name, options.quiet);
+  if (!options.confidence.empty())
+    writePng(outputs.at(options.confidence), confidence(run.sky.image), {{"Software", kSoftware}});
+  if (!options.stats.empty()) writeReconStats(options, tally, nameOf(loaded.scene.recon), run, outputs);
+  printComparison(options, run, references, outputs);
+  files.run = &outputs;
+  const WrittenSky written = writeSkyFiles(files, std::move(run.sky.image), tally.info, loaded);
+  outputs.commit();
+  if (!options.quiet) reportPicture(files, written, run.sky.remarks);
   return kDone;
 }
 

@@ -6,7 +6,6 @@
 #include "parallel/threads.h"
 #include "render/sky_files.h"
 #include "render/sky_sums.h"
-#include "sky/camera.h"
 #include "sky/picture_error.h"
 
 namespace parhelion::cli {
@@ -34,7 +33,7 @@ class Development {
     } catch (const ReconStopped&) {
       return {};
     }
-    return pictureError(sky_->image, Camera(tally_.info.camera).solidAngles());
+    return pictureError(sky_->image, tally_);
   }
 
   ReconstructedSky take() {
@@ -66,13 +65,14 @@ std::filesystem::path tallyOf(const SkyFiles& files) {
 int runRender(const RenderOptions& options, Tracers& tracers) {
   const LoadedScene loaded = options.run.load();
   const std::string& scene = options.run.scene;
-  const SkyFiles files = options.picture.files(scene);
+  SkyFiles files = options.picture.files(scene);
   const Cloud cloud = cloudOf(loaded.scene);
   const TraceSettings settings = chosenSettings(cloud, loaded.scene.trace);
   const RayRange wanted = options.longRun.wanted(settings.rays, cloud.bundleSize(), options.run);
   const std::filesystem::path checkpoint = tallyOf(files);
-  requireOutputs({{scene}, {files.exr, files.png, options.run.stats, options.longRun.leavesCheckpoint() ? checkpoint : ""}},
-                 options.run.overwrite);
+  Transaction outputs = claimOutputs({{scene}, {files.exr, files.png, options.run.stats}}, options.run.overwrite);
+  Transaction tally =
+      claimOutputs({{scene}, {options.longRun.leavesCheckpoint() ? checkpoint : ""}}, options.run.overwrite);
   // Also while the picture is made, so that a late Ctrl-C does not lose what was traced.
   const StopSignal stop;
   SkySums sums(loaded, cloud);
@@ -81,10 +81,14 @@ int runRender(const RenderOptions& options, Tracers& tracers) {
                [&] { return picture.error(stop.requested()); }},
               sums, stop);
   run.trace();
-  run.report();
+  run.report(outputs);
   run.writeLastCheckpoint();
-  if (!run.endsWithoutPicture())
-    writePicture(picture.take(), sums.tally().info, loaded, options.picture, scene, options.run.quiet);
+  if (run.endsWithoutPicture()) return run.exitCode();
+  ReconstructedSky sky = picture.take();
+  files.run = &outputs;
+  const WrittenSky written = writeSkyFiles(files, std::move(sky.image), sums.tally().info, loaded);
+  outputs.commit();
+  if (!options.run.quiet) reportPicture(files, written, sky.remarks);
   return run.exitCode();
 }
 

@@ -74,6 +74,6 @@ ProcessUsage processUsage() {
 
 int threadCount(int asked) { return asked > 0 ? asked : static_cast<int>(std::thread::hardware_concurrency()); }
 
-void writeJson(const std::string& path, const nlohmann::ordered_json& json) { writeText(path, json.dump(2) + "\n"); }
+void writeJson(const Output& output, const nlohmann::ordered_json& json) { writeText(output, json.dump(2) + "\n"); }
 
 }  // namespace parhelion::cli

@@ -2,10 +2,9 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
-
 #include <nlohmann/json_fwd.hpp>
 
+#include "picture/transaction.h"
 #include "trace/trace.h"
 #include "trace/trace_settings.h"
 
@@ -27,7 +26,7 @@ ProcessUsage processUsage();
 /// The number of threads that `asked` stands for: 0 is one a processor.
 int threadCount(int asked);
 
-/// Writes JSON to a file, or to stdout for "-". Throws std::runtime_error.
-void writeJson(const std::string& path, const nlohmann::ordered_json& json);
+/// Writes JSON (writeText). Throws std::runtime_error.
+void writeJson(const Output& output, const nlohmann::ordered_json& json);
 
 }  // namespace parhelion::cli

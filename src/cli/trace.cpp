@@ -6,9 +6,7 @@
 #include "cli/outputs.h"
 #include "cli/say.h"
 #include "render/sky_sums.h"
-#include "sky/camera.h"
 #include "sky/picture_error.h"
-#include "sky/radiance.h"
 
 namespace parhelion::cli {
 
@@ -20,10 +18,6 @@ struct TraceOptions {
   std::string output;  // empty: the tally that is gone on from
 };
 
-double plainError(const Tally& tally) {
-  return pictureError(plainRadiance(tally), Camera(tally.info.camera).solidAngles());
-}
-
 int runTrace(const TraceOptions& options, Tracers& tracers) {
   const std::string& output = options.output.empty() ? options.longRun.resume : options.output;
   if (output.empty()) throw CLI::RequiredError("-o FILE, or --resume FILE,");
@@ -31,7 +25,7 @@ int runTrace(const TraceOptions& options, Tracers& tracers) {
   const Cloud cloud = cloudOf(loaded.scene);
   const TraceSettings settings = chosenSettings(cloud, loaded.scene.trace);
   const RayRange wanted = options.longRun.wanted(settings.rays, cloud.bundleSize(), options.run);
-  requireOutputs({{options.run.scene}, {output, options.run.stats}}, options.run.overwrite);
+  Transaction outputs = claimOutputs({{options.run.scene}, {output, options.run.stats}}, options.run.overwrite);
   const StopSignal stop;
   SkySums sums(loaded, cloud);
   const std::string checkpoint = isStream(output) ? "" : output;
@@ -39,8 +33,9 @@ int runTrace(const TraceOptions& options, Tracers& tracers) {
                [&] { return std::optional(plainError(sums.tally())); }},
               sums, stop);
   run.trace();
-  run.report();
-  run.writeSums(output);
+  run.report(outputs);
+  run.writeSums(outputs.at(output));
+  outputs.commit();
   if (!options.run.quiet) say("wrote %s", output.c_str());
   return run.exitCode();
 }

@@ -72,10 +72,11 @@ TraceControl TraceWatch::control() {
   return control;
 }
 
-int TraceWatch::report(const TracedScene& traced) {
+int TraceWatch::report(const TracedScene& traced, Transaction& outputs) {
   progress_.finish();
   if (!options_.quiet) printLedger(traced.report);
-  if (!options_.stats.empty()) writeJson(options_.stats, statsJson(traced.settings, traced.report, options_.threads));
+  if (!options_.stats.empty())
+    writeJson(outputs.at(options_.stats), statsJson(traced.settings, traced.report, options_.threads));
   return traced.report.interrupted && stop_.requested() ? kInterrupted : kDone;
 }
 

@@ -7,6 +7,7 @@
 #include "cli/progress.h"
 #include "cli/run_options.h"
 #include "cli/stop_signal.h"
+#include "picture/transaction.h"
 #include "render/traced_sky.h"
 
 namespace parhelion::cli {
@@ -35,9 +36,9 @@ class TraceWatch {
   /// Control of the run, with progress on stderr. Valid as long as the watch.
   TraceControl control();
 
-  /// After the run: prints the energy ledger and writes the stats file. Returns what the program is to end with, if all
-  /// else goes well.
-  int report(const TracedScene& traced);
+  /// After the run: prints the energy ledger and writes the stats file as one of the run's outputs. Returns what the
+  /// program is to end with, if all else goes well.
+  int report(const TracedScene& traced, Transaction& outputs);
 
  private:
   const RunOptions& options_;

@@ -193,7 +193,7 @@ Photograph reduced(const Photograph& photograph, int reduction) {
   return smaller;
 }
 
-void writeView(View view, const ViewInput& input, const ViewOptions& options) {
+void writeView(View view, const ViewInput& input, const ViewOptions& options, Transaction& outputs) {
   std::map<std::string, std::string> said{{"Software", kSoftware}};
   // Of two pictures neither's scene holds for the whole.
   if (const auto scene = input.scene(); scene && options.beside.empty()) said[kSceneKey] = *scene;
@@ -202,7 +202,7 @@ void writeView(View view, const ViewInput& input, const ViewOptions& options) {
   photograph.height = view.picture.height;
   photograph.samples = std::move(view.picture.rgb);
   if (options.reduction > 1) photograph = reduced(photograph, options.reduction);
-  writePhotograph(options.output, photograph, said);
+  writePhotograph(outputs.at(options.output), photograph, said);
   if (options.quiet) return;
   for (const std::string& remark : view.remarks) say("%s", remark.c_str());
 }
@@ -230,17 +230,18 @@ std::vector<PhotoCamera> camerasOf(const std::vector<ViewInput>& pictures, const
   return cameras;
 }
 
-void profileView(std::vector<ViewInput> pictures, const ViewOptions& options) {
+void profileView(std::vector<ViewInput> pictures, const ViewOptions& options, Transaction& outputs) {
   const std::vector<PhotoCamera> cameras = camerasOf(pictures, options);
   std::vector<std::uint8_t> mask;
   if (!options.mask.empty()) mask = readMaskFor(options.mask, cameras[0].camera.width, cameras[0].camera.height);
   std::vector<Observed> observed;
   for (std::size_t i = 0; i < pictures.size(); ++i) observed.push_back({std::move(pictures[i]), cameras[i]});
-  writeProfile(options, std::move(observed), mask);
+  writeProfile(options, std::move(observed), mask, outputs);
 }
 
 /// The views of the pictures with their lines; writes the lines' layer where that is asked for.
-std::vector<View> pictureViews(const std::vector<ViewInput>& pictures, const ViewOptions& options) {
+std::vector<View> pictureViews(const std::vector<ViewInput>& pictures, const ViewOptions& options,
+                               Transaction& outputs) {
   // First what may be missing of the cameras, then the work.
   std::vector<PhotoCamera> cameras;
   if (options.drawsLines()) cameras = camerasOf(pictures, options);
@@ -251,35 +252,36 @@ std::vector<View> pictureViews(const std::vector<ViewInput>& pictures, const Vie
     views.push_back(difference(pictures[0], pictures[1], options));
   for (std::size_t i = 0; i < views.size() && options.drawsLines(); ++i) {
     const LineArt lines = linesOver(pictures[i], cameras[i], options);
-    if (!options.layer.empty()) writeLineArt(options.layer, lines, {{"Software", kSoftware}});
+    if (!options.layer.empty()) writeLineArt(outputs.at(options.layer), lines, {{"Software", kSoftware}});
     layOver(views[i].picture, lines);
   }
   return views;
 }
 
-void pictureView(const std::vector<ViewInput>& pictures, const ViewOptions& options) {
-  std::vector<View> views = pictureViews(pictures, options);
+void pictureView(const std::vector<ViewInput>& pictures, const ViewOptions& options, Transaction& outputs) {
+  std::vector<View> views = pictureViews(pictures, options, outputs);
   if (options.output.empty()) return;
   for (std::size_t i = 1; i < views.size(); ++i) {
     views[0].picture = beside(views[0].picture, views[i].picture);
     views[0].remarks.insert(views[0].remarks.end(), views[i].remarks.begin(), views[i].remarks.end());
   }
-  writeView(std::move(views[0]), pictures[0], options);
+  writeView(std::move(views[0]), pictures[0], options, outputs);
 }
 
 int runView(const ViewOptions& options) {
   options.requireSense();
-  const auto outputs = {options.output, options.layer, options.profile, options.chart};
-  Files files{{options.input, options.minus, options.mask}, outputs};
+  const auto names = {options.output, options.layer, options.profile, options.chart};
+  Files files{{options.input, options.minus, options.mask}, names};
   files.inputs.insert(files.inputs.end(), options.beside.begin(), options.beside.end());
-  requireOutputs(files, options.overwrite);
+  Transaction outputs = claimOutputs(files, options.overwrite);
   std::vector<ViewInput> pictures = readPictures(options);
   if (options.profile.empty())
-    pictureView(pictures, options);
+    pictureView(pictures, options, outputs);
   else
-    profileView(std::move(pictures), options);
-  for (const std::string& output : outputs)
-    if (!output.empty() && output != "-" && !options.quiet) say("wrote %s", output.c_str());
+    profileView(std::move(pictures), options, outputs);
+  outputs.commit();
+  for (const std::string& name : names)
+    if (!name.empty() && name != "-" && !options.quiet) say("wrote %s", name.c_str());
   return kDone;
 }
 

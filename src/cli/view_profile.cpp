@@ -65,7 +65,8 @@ void requireSky(const Profile& profile, const std::string& path) {
 
 }  // namespace
 
-void writeProfile(const ViewOptions& options, std::vector<Observed> pictures, const std::vector<std::uint8_t>& mask) {
+void writeProfile(const ViewOptions& options, std::vector<Observed> pictures, const std::vector<std::uint8_t>& mask,
+                  Transaction& outputs) {
   std::vector<Camera> cameras;
   for (const Observed& picture : pictures) cameras.emplace_back(picture.camera.camera);
   std::vector<std::vector<std::uint8_t>> shares{mask};
@@ -84,8 +85,9 @@ void writeProfile(const ViewOptions& options, std::vector<Observed> pictures, co
   }
   // The chart first: gnuplot may be missing, and then there is to be no table either.
   if (!options.chart.empty())
-    drawChart(options.chart, {"angle from the sun, degrees", "luminance, share of the greatest"}, curves, kSoftware);
-  writeText(options.profile, csv(profiles));
+    drawChart(outputs.at(options.chart), {"angle from the sun, degrees", "luminance, share of the greatest"}, curves,
+              kSoftware);
+  writeText(outputs.at(options.profile), csv(profiles));
 }
 
 }  // namespace parhelion::cli

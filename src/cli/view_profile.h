@@ -19,6 +19,7 @@ struct Observed {
 /// Writes the profile of the first picture as CSV, beside it that of the second if there is one, and draws their chart
 /// if that is asked for. Of two pictures both are taken over the part of the sky that both show; `mask` is the first
 /// one's, or empty.
-void writeProfile(const ViewOptions& options, std::vector<Observed> pictures, const std::vector<std::uint8_t>& mask);
+void writeProfile(const ViewOptions& options, std::vector<Observed> pictures, const std::vector<std::uint8_t>& mask,
+                  Transaction& outputs);
 
 }  // namespace parhelion::cli

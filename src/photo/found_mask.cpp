@@ -43,8 +43,8 @@ void cutBelowHorizon(SkyMask& mask, const CameraSettings& settings) {
   });
 }
 
-void writeFoundMask(const std::filesystem::path& path, const SkyMask& mask, const std::string& software) {
-  writeSkyMask(path, mask, {{"Software", software}, {kSumKey, sumOf(mask)}});
+void writeFoundMask(const Output& output, const SkyMask& mask, const std::string& software) {
+  writeSkyMask(output, mask, {{"Software", software}, {kSumKey, sumOf(mask)}});
 }
 
 void requireUnchangedMask(const std::filesystem::path& path) {

@@ -14,7 +14,7 @@ namespace parhelion {
 void cutBelowHorizon(SkyMask& mask, const CameraSettings& camera);
 
 /// Writes a mask that was found, with a sum over its pixels by which requireUnchangedMask() knows it again.
-void writeFoundMask(const std::filesystem::path& path, const SkyMask& mask, const std::string& software);
+void writeFoundMask(const Output& output, const SkyMask& mask, const std::string& software);
 
 /// Throws std::runtime_error if there is a file of that name that is no mask as writeFoundMask() left it: somebody has
 /// corrected it, and it must not be written over.

@@ -36,15 +36,14 @@ SkyMask readSkyMask(const std::filesystem::path& path) {
   return skyMaskOf(readPhotograph(path, rules));
 }
 
-void writeSkyMask(const std::filesystem::path& path, const SkyMask& mask,
-                  const std::map<std::string, std::string>& text) {
+void writeSkyMask(const Output& output, const SkyMask& mask, const std::map<std::string, std::string>& text) {
   std::vector<std::uint8_t> samples(3 * mask.sky.size());
   for (std::size_t i = 0; i < samples.size(); ++i) samples[i] = mask.sky[i / 3];
   Photograph picture;
   picture.width = mask.width;
   picture.height = mask.height;
   picture.samples = std::move(samples);
-  writePhotograph(path, picture, text);
+  writePhotograph(output, picture, text);
 }
 
 }  // namespace parhelion

@@ -29,7 +29,6 @@ SkyMask readSkyMask(const std::filesystem::path& path);
 
 /// Writes a mask as grey levels that readSkyMask takes back to the same mask (.png; others as writePhotograph does).
 /// Throws std::runtime_error "path: reason".
-void writeSkyMask(const std::filesystem::path& path, const SkyMask& mask,
-                  const std::map<std::string, std::string>& text);
+void writeSkyMask(const Output& output, const SkyMask& mask, const std::map<std::string, std::string>& text);
 
 }  // namespace parhelion

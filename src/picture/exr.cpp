@@ -100,17 +100,17 @@ void convertToRec709(const std::filesystem::path& path, ExrFile& file) {
 
 }  // namespace
 
-void writeBeautyExr(const std::filesystem::path& path, const Image& image, ExrAttributes attributes, Envmap envmap) {
-  withExrErrors(path, [&] {
+void writeBeautyExr(const Output& output, const Image& image, ExrAttributes attributes, Envmap envmap) {
+  withExrErrors(output.path, [&] {
     const Imf::Header header = beautyHeader(image, std::move(attributes), envmap);
-    AtomicFile file(path);
+    AtomicFile file(output);
     {
-      ExrOutput stream(path, file);
-      Imf::OutputFile output(stream, header);
+      ExrOutput stream(output.path, file);
+      Imf::OutputFile writer(stream, header);
       Imf::FrameBuffer buffer;
       for (const Channel& c : image.channels) buffer.insert(c.name, sliceOf(c.samples, header.dataWindow()));
-      output.setFrameBuffer(buffer);
-      output.writePixels(image.height);
+      writer.setFrameBuffer(buffer);
+      writer.writePixels(image.height);
     }  // here OpenEXR writes its table of scan lines
     file.commit();
   });

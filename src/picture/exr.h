@@ -9,6 +9,7 @@
 #include "picture/chromaticities.h"
 #include "picture/envmap.h"
 #include "picture/image.h"
+#include "picture/transaction.h"
 
 namespace parhelion {
 
@@ -41,8 +42,7 @@ enum class ExrColours {
 /// of Rec.709 and, for environment light, the attribute `envmap`. Adds `capDate` if the environment sets
 /// SOURCE_DATE_EPOCH; else the same picture gives the same bytes. In one piece or not at all (atomic_file.h). Throws
 /// std::runtime_error "path: reason".
-void writeBeautyExr(const std::filesystem::path& path, const Image& image, ExrAttributes attributes,
-                    Envmap envmap = Envmap::none);
+void writeBeautyExr(const Output& output, const Image& image, ExrAttributes attributes, Envmap envmap = Envmap::none);
 
 /// Whether the file begins as EXR files do; false where it cannot be read.
 bool isExr(const std::filesystem::path& path);

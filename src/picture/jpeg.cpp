@@ -114,10 +114,10 @@ std::string readJpegComments(const std::filesystem::path& path) {
   return all;
 }
 
-void writeJpeg(const std::filesystem::path& path, int width, int height, const std::vector<std::uint8_t>& rgb,
+void writeJpeg(const Output& output, int width, int height, const std::vector<std::uint8_t>& rgb,
                std::string_view comment) {
   constexpr int kQuality = 95;
-  AtomicFile file(path);
+  AtomicFile file(output);
   const Handle handle(tjInitCompress());
   if (!handle) throw std::bad_alloc();
   unsigned char* buffer = nullptr;
@@ -125,7 +125,7 @@ void writeJpeg(const std::filesystem::path& path, int width, int height, const s
   const int result = tjCompress2(handle.get(), rgb.data(), width, 0, height, TJPF_RGB, &buffer, &size, TJSAMP_444,
                                  kQuality, TJFLAG_ACCURATEDCT);
   const LibraryBytes owner(buffer);
-  if (result != 0) throw jpegError(path, handle);
+  if (result != 0) throw jpegError(output.path, handle);
 
   // The library's file starts with SOI and the JFIF segment, which must come first; ours follow.
   const std::string_view jpeg(reinterpret_cast<const char*>(buffer), size);

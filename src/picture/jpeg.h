@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "picture/stored_picture.h"
+#include "picture/transaction.h"
 
 namespace parhelion {
 
@@ -22,7 +23,7 @@ std::string readJpegComments(const std::filesystem::path& path);
 
 /// Writes 8-bit sRGB triples, row-major, as a baseline JPEG: quality 95, no chroma subsampling, an ICC profile of sRGB,
 /// and the comment unless it is empty. In one piece or not at all. Throws std::runtime_error "path: reason".
-void writeJpeg(const std::filesystem::path& path, int width, int height, const std::vector<std::uint8_t>& rgb,
+void writeJpeg(const Output& output, int width, int height, const std::vector<std::uint8_t>& rgb,
                std::string_view comment);
 
 }  // namespace parhelion

@@ -139,7 +139,7 @@ bool isJpeg(const std::filesystem::path& path) {
 /// The orientation that undoes another: all but the quarter turns are their own opposites.
 int opposite(int orientation) { return orientation == 6 ? 8 : orientation == 8 ? 6 : orientation; }
 
-bool writePatched(const std::filesystem::path& path, const std::filesystem::path& original, Photograph changed,
+bool writePatched(const Output& output, const std::filesystem::path& original, Photograph changed,
                   std::string_view comment) {
   const StoredPicture stored = readJpeg(original);
   turnUpright(changed, opposite(readExif(stored.exif).orientation));
@@ -153,7 +153,7 @@ bool writePatched(const std::filesystem::path& path, const std::filesystem::path
                   std::get<std::vector<std::uint8_t>>(changed.samples)};
   if (!jpeg.repeatable() || (jpeg.components().size() == 1 && !pair.greyChange())) return false;
   for (std::size_t i = 0; i < jpeg.components().size(); ++i) patch(jpeg, i, pair);
-  AtomicFile file(path);
+  AtomicFile file(output);
   jpeg.write(file, comment);
   file.commit();
   return true;
@@ -161,14 +161,14 @@ bool writePatched(const std::filesystem::path& path, const std::filesystem::path
 
 }  // namespace
 
-bool writePatchedJpeg(const std::filesystem::path& path, const std::filesystem::path& original,
-                      const Photograph& changed, std::string_view comment) {
+bool writePatchedJpeg(const Output& output, const std::filesystem::path& original, const Photograph& changed,
+                      std::string_view comment) {
   if (!isJpeg(original)) return false;
   if (changed.channels != 3 || !std::holds_alternative<std::vector<std::uint8_t>>(changed.samples)) {
     throw std::invalid_argument("the changed picture is not RGB in 8 bits");
   }
   try {
-    return writePatched(path, original, changed, comment);
+    return writePatched(output, original, changed, comment);
   } catch (const std::bad_alloc&) {
     throw pictureError(original, "not enough memory");
   }

@@ -20,7 +20,7 @@ namespace parhelion {
 /// grey, or JpegCoefficients finds it not repeatable. Takes the picture in 8 bits twice and its coefficients once.
 /// Throws std::runtime_error "path: reason" in one line, std::invalid_argument if the pictures differ in their size or
 /// `changed` has other samples than RGB in 8 bits.
-[[nodiscard]] bool writePatchedJpeg(const std::filesystem::path& path, const std::filesystem::path& original,
+[[nodiscard]] bool writePatchedJpeg(const Output& output, const std::filesystem::path& original,
                                     const Photograph& changed, std::string_view comment = {});
 
 }  // namespace parhelion

@@ -12,6 +12,7 @@
 #include "picture/exif.h"
 #include "picture/exr.h"
 #include "picture/image.h"
+#include "picture/transaction.h"
 #include "picture/transfer.h"
 
 namespace parhelion {
@@ -60,7 +61,7 @@ Photograph readPhotograph(const std::filesystem::path& path, const PhotographRul
 /// The extension of a file's name, in small letters and with its dot. Empty where the name has none.
 std::string extensionOf(const std::filesystem::path& path);
 
-/// Writes a picture upright. The extension of `path` chooses the format:
+/// Writes a picture upright. The extension of the name chooses the format:
 ///   - .png: 8 bits for samples of 8 bits, else 16 bits;
 ///   - .jpg, .jpeg: 8 bits, quality 95, no chroma subsampling, no alpha;
 ///   - .exr: linear 32-bit floats.
@@ -68,8 +69,8 @@ std::string extensionOf(const std::filesystem::path& path);
 /// Samples that the format holds as they are stay unchanged. The file is tagged as sRGB, an EXR with Rec.709
 /// chromaticities and `envmap`. `text` becomes text chunks, a comment or attributes. The file is written in one piece
 /// or not at all (atomic_file.h). Throws std::runtime_error "path: reason".
-void writePhotograph(const std::filesystem::path& path, const Photograph& photograph,
-                     const std::map<std::string, std::string>& text, Envmap envmap = Envmap::none);
+void writePhotograph(const Output& output, const Photograph& photograph, const std::map<std::string, std::string>& text,
+                     Envmap envmap = Envmap::none);
 
 /// The colours as linear Rec.709 in channels R, G, B, averaged over squares of `reduction` x `reduction` pixels.
 /// Squares at the right and bottom border may be smaller. The result has ceil(width / reduction) x ceil(height /

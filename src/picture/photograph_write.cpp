@@ -70,7 +70,7 @@ Image planesOf(const Photograph& photograph) {
   return image;
 }
 
-void writePngPhotograph(const std::filesystem::path& path, const Photograph& photograph,
+void writePngPhotograph(const Output& output, const Photograph& photograph,
                         const std::map<std::string, std::string>& text) {
   PngSamples png{photograph.width, photograph.height, photograph.channels, {}};
   Words words;
@@ -83,18 +83,18 @@ void writePngPhotograph(const std::filesystem::path& path, const Photograph& pho
                  [&](const Bytes& bytes) { png.samples = std::span<const std::uint8_t>(bytes); },
              },
              photograph.samples);
-  writePng(path, png, text);
+  writePng(output, png, text);
 }
 
-void writeJpegPhotograph(const std::filesystem::path& path, const Photograph& photograph,
+void writeJpegPhotograph(const Output& output, const Photograph& photograph,
                          const std::map<std::string, std::string>& text) {
   const auto software = text.find("Software");
   const std::string comment = software == text.end() ? "" : software->second;
   const auto* bytes = std::get_if<Bytes>(&photograph.samples);
   if (bytes && photograph.channels == 3) {
-    writeJpeg(path, photograph.width, photograph.height, *bytes, comment);
+    writeJpeg(output, photograph.width, photograph.height, *bytes, comment);
   } else {
-    writeJpeg(path, photograph.width, photograph.height, bytesOf(photograph), comment);
+    writeJpeg(output, photograph.width, photograph.height, bytesOf(photograph), comment);
   }
 }
 
@@ -107,20 +107,20 @@ std::string extensionOf(const std::filesystem::path& path) {
   return extension;
 }
 
-void writePhotograph(const std::filesystem::path& path, const Photograph& photograph,
-                     const std::map<std::string, std::string>& text, Envmap envmap) {
+void writePhotograph(const Output& output, const Photograph& photograph, const std::map<std::string, std::string>& text,
+                     Envmap envmap) {
   const auto count = std::visit([](const auto& samples) { return samples.size(); }, photograph.samples);
   assert(count == photograph.pixels() * static_cast<std::size_t>(photograph.channels));
   static_cast<void>(count);
-  const std::string extension = extensionOf(path);
+  const std::string extension = extensionOf(output.path);
   try {
-    if (extension == ".png") return writePngPhotograph(path, photograph, text);
-    if (extension == ".jpg" || extension == ".jpeg") return writeJpegPhotograph(path, photograph, text);
-    if (extension == ".exr") return writeBeautyExr(path, planesOf(photograph), text, envmap);
+    if (extension == ".png") return writePngPhotograph(output, photograph, text);
+    if (extension == ".jpg" || extension == ".jpeg") return writeJpegPhotograph(output, photograph, text);
+    if (extension == ".exr") return writeBeautyExr(output, planesOf(photograph), text, envmap);
   } catch (const std::bad_alloc&) {
-    throw pictureError(path, "not enough memory");
+    throw pictureError(output.path, "not enough memory");
   }
-  throw pictureError(path, "a picture is written as .png, .jpg, .jpeg or .exr");
+  throw pictureError(output.path, "a picture is written as .png, .jpg, .jpeg or .exr");
 }
 
 }  // namespace parhelion

@@ -88,9 +88,9 @@ bool encode(Sink* sink, const Rows& rows, const Packing& packing, png_textp text
   return true;
 }
 
-void writeRows(const std::filesystem::path& path, const Rows& rows, const Packing& packing,
+void writeRows(const Output& output, const Rows& rows, const Packing& packing,
                const std::map<std::string, std::string>& text) {
-  AtomicFile file(path);
+  AtomicFile file(output);
   std::vector<png_text> chunks(text.size());
   std::size_t i = 0;
   for (const auto& [keyword, value] : text) {
@@ -103,23 +103,21 @@ void writeRows(const std::filesystem::path& path, const Rows& rows, const Packin
   Sink sink{&file, nullptr, {}};
   const bool complete = encode(&sink, rows, packing, chunks.data(), static_cast<int>(chunks.size()));
   if (sink.failure) std::rethrow_exception(sink.failure);
-  if (!complete) throw std::runtime_error(path.string() + ": PNG: " + sink.message);
+  if (!complete) throw std::runtime_error(output.path.string() + ": PNG: " + sink.message);
   file.commit();
 }
 
 }  // namespace
 
-void writePng(const std::filesystem::path& path, const Preview& preview,
-              const std::map<std::string, std::string>& text) {
+void writePng(const Output& output, const Preview& preview, const std::map<std::string, std::string>& text) {
   const auto width = static_cast<png_uint_32>(preview.width), height = static_cast<png_uint_32>(preview.height);
-  writeRows(path, {width, height, 3, 8, preview.rgb.data()}, kThorough, text);
+  writeRows(output, {width, height, 3, 8, preview.rgb.data()}, kThorough, text);
 }
 
-void writePng(const std::filesystem::path& path, const PngSamples& picture,
-              const std::map<std::string, std::string>& text) {
+void writePng(const Output& output, const PngSamples& picture, const std::map<std::string, std::string>& text) {
   const auto width = static_cast<png_uint_32>(picture.width), height = static_cast<png_uint_32>(picture.height);
   const auto write = [&](int bits, png_const_bytep samples) {
-    writeRows(path, {width, height, picture.channels, bits, samples}, kHurried, text);
+    writeRows(output, {width, height, picture.channels, bits, samples}, kHurried, text);
   };
   std::visit(
       Overloaded{

@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "picture/tone.h"
+#include "picture/transaction.h"
 
 namespace parhelion {
 
@@ -22,11 +23,9 @@ struct PngSamples {
 
 /// Writes an sRGB PNG, in one piece or not at all (atomic_file.h). `text` goes into tEXt chunks, keyword to value
 /// (keywords of 1 to 79 Latin-1 characters). Throws std::runtime_error "path: reason".
-void writePng(const std::filesystem::path& path, const Preview& preview,
-              const std::map<std::string, std::string>& text);
+void writePng(const Output& output, const Preview& preview, const std::map<std::string, std::string>& text);
 
 /// The same, packed in a hurry: a photograph's noise does not get much smaller with patience.
-void writePng(const std::filesystem::path& path, const PngSamples& picture,
-              const std::map<std::string, std::string>& text);
+void writePng(const Output& output, const PngSamples& picture, const std::map<std::string, std::string>& text);
 
 }  // namespace parhelion

@@ -37,10 +37,11 @@ Text textOf(const ExrAttributes& attributes, const Vec3& perRadiance) {
 void writeEditingPictures(const CompositeFiles& files, const Photograph& photograph, const AddedHalo& added,
                           const PhotoCamera& camera, const Text& text) {
   const std::vector<std::filesystem::path> pictures = editingFiles(files.editingFolder);
-  writePhotograph(pictures[0], lightForEditing(added), text);
-  writePhotograph(pictures[1], sumForEditing(photograph, added), text);
-  writePhotograph(pictures[2], dodgeForEditing(photograph, added), text);
-  writeSkyMask(pictures[3], added.mask, text);
+  const auto at = [&](std::size_t i) { return Output(pictures[i], files.run); };
+  writePhotograph(at(0), lightForEditing(added), text);
+  writePhotograph(at(1), sumForEditing(photograph, added), text);
+  writePhotograph(at(2), dodgeForEditing(photograph, added), text);
+  writeSkyMask(at(3), added.mask, text);
   const Scene scene = parseScene(text.at(kSceneKey), "the halo's scene").scene;
   OverlaySettings grid;
   grid.halos = true;
@@ -48,7 +49,7 @@ void writeEditingPictures(const CompositeFiles& files, const Photograph& photogr
   grid.belowHorizon = false;
   constexpr double kGreen = 550.0;  // nm
   const double index = refractiveIndex(scene.ice, kGreen);
-  writeLineArt(pictures[4], drawOverlay(camera.camera, camera.sunElevation, index, grid), text);
+  writeLineArt(at(4), drawOverlay(camera.camera, camera.sunElevation, index, grid), text);
 }
 
 AddedHaloReport writePicture(const CompositeFiles& files, Photograph& photograph, const AddedHalo& added,
@@ -56,13 +57,14 @@ AddedHaloReport writePicture(const CompositeFiles& files, Photograph& photograph
   const std::string kind = extensionOf(files.output);
   const bool codes = !std::holds_alternative<std::vector<float>>(photograph.samples);
   const Envmap envmap = envmapOf(Camera(camera.camera));
-  if (kind == ".exr" && codes) writePhotograph(files.output, sumForEditing(photograph, added), text, envmap);
+  const Output output(files.output, files.run);
+  if (kind == ".exr" && codes) writePhotograph(output, sumForEditing(photograph, added), text, envmap);
   const AddedHaloReport done = addHalo(photograph, added);
   if (kind == ".exr" && codes) return done;
   if (kind != ".jpg" && kind != ".jpeg") {
-    writePhotograph(files.output, photograph, text, envmap);
-  } else if (!writePatchedJpeg(files.output, files.photo, photograph, text.at("Software"))) {
-    writePhotograph(files.output, photograph, text);
+    writePhotograph(output, photograph, text, envmap);
+  } else if (!writePatchedJpeg(output, files.photo, photograph, text.at("Software"))) {
+    writePhotograph(output, photograph, text);
   }
   return done;
 }
@@ -102,7 +104,7 @@ AddedHaloReport writeComposite(const CompositeFiles& files, Photograph photograp
   return withThreads(threads, [&] {
     if (!files.editingFolder.empty()) writeEditingPictures(files, photograph, added, camera, text);
     const AddedHaloReport done = writePicture(files, photograph, added, camera, text);
-    if (!files.foundMask.empty()) writeFoundMask(files.foundMask, added.mask, text.at("software"));
+    if (!files.foundMask.empty()) writeFoundMask({files.foundMask, files.run}, added.mask, text.at("software"));
     return done;
   });
 }

@@ -6,6 +6,7 @@
 
 #include "photo/added_halo.h"
 #include "photo/photo_camera.h"
+#include "picture/transaction.h"
 #include "render/scene_attributes.h"
 
 namespace parhelion {
@@ -25,6 +26,7 @@ struct CompositeFiles {
   std::filesystem::path output;         // .png, .jpg, .jpeg or .exr
   std::filesystem::path editingFolder;  // of pictures for editing; empty: none
   std::filesystem::path foundMask;      // where to write the mask; empty: not at all
+  Transaction* run = nullptr;           // with whose other files they appear; none: each by itself
 };
 
 /// The pictures for editing, in the folder `editingFolder`; none if that is empty.

@@ -1,35 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/run_sums.h"
 
-#include <unistd.h>
-
 #include <stdexcept>
 #include <system_error>
 
-#include "picture/atomic_file.h"
+#include "picture/temporary_file.h"
 #include "trace/trace.h"
 
 namespace parhelion {
 
 namespace {
-
-/// The file under a second name, in the place of what has that name. Where there are no hard links, the file changes
-/// its name; where that fails too, there is no file before the last.
-void keepAs(const std::filesystem::path& previous, const std::filesystem::path& file) {
-  std::error_code none;
-  const std::filesystem::path target = followLinks(file);
-  if (!std::filesystem::is_regular_file(target, none)) return;
-  // A link cannot replace a file, a rename can.
-  std::filesystem::path link = previous;
-  link += "." + std::to_string(::getpid());
-  std::filesystem::create_hard_link(target, link, none);
-  if (none)
-    std::filesystem::rename(target, previous, none);
-  else
-    std::filesystem::rename(link, previous, none);
-  // Two names of one file stay as they are when one is renamed to the other.
-  std::filesystem::remove(link, none);
-}
 
 void readFrom(const std::filesystem::path& path, RunSums& sums, Resumed& resumed) {
   sums.read(path);
@@ -43,12 +23,20 @@ std::filesystem::path previousOf(const std::filesystem::path& checkpoint) {
   return previous += ".previous";
 }
 
-void writeCheckpoint(const std::filesystem::path& path, const RunSums& sums, bool keepsPrevious) {
-  std::filesystem::path fresh = path;
-  fresh += ".new";
-  sums.write(fresh);
-  if (keepsPrevious) keepAs(previousOf(path), path);
-  std::filesystem::rename(fresh, path);
+void keepPrevious(const std::filesystem::path& checkpoint) {
+  const std::filesystem::path file = followLinks(checkpoint), previous = previousOf(checkpoint);
+  std::error_code none;  // where it cannot be kept, the file itself is still there
+  if (!std::filesystem::is_regular_file(file, none)) return;
+  std::filesystem::remove(previous, none);
+  std::filesystem::create_hard_link(file, previous, none);
+  if (none) std::filesystem::rename(file, previous, none);  // on file systems without such links
+}
+
+void writeCheckpoint(const std::filesystem::path& path, const RunSums& sums, bool keepsBefore) {
+  Transaction files;
+  sums.write(files.at(path));
+  if (keepsBefore) keepPrevious(path);
+  files.commit();
 }
 
 Resumed resumeFrom(const std::filesystem::path& checkpoint, RunSums& sums) {

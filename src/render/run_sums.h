@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "picture/transaction.h"
 #include "render/measurement.h"
 #include "sky/tally_info.h"
 #include "trace/cloud.h"
@@ -32,7 +33,7 @@ class RunSums {
   virtual void read(const std::filesystem::path& path) = 0;
 
   /// Writes them so that read() gives them back, bit for bit. The film's result must be made (Film::finish()).
-  virtual void write(const std::filesystem::path& file) const = 0;
+  virtual void write(const Output& file) const = 0;
 
   /// Empty ones of the same kind.
   virtual std::unique_ptr<RunSums> empty() const = 0;
@@ -44,10 +45,13 @@ class RunSums {
 /// The file in which the checkpoint before the last one is kept: NAME.previous beside NAME.
 std::filesystem::path previousOf(const std::filesystem::path& checkpoint);
 
-/// Writes a checkpoint. The one before is kept as previousOf() if `keepsPrevious`, and replaced only once the new one is
-/// complete and on the disk: whenever the process is killed, one of the two files can be read. Throws
-/// std::runtime_error "path: reason", and then leaves them as they were.
-void writeCheckpoint(const std::filesystem::path& path, const RunSums& sums, bool keepsPrevious = true);
+/// Keeps a file, if it is there, as previousOf() it, in the place of what that was. To be called when what replaces the
+/// file is complete and on the disk: whenever the process is killed, one of the two can be read.
+void keepPrevious(const std::filesystem::path& checkpoint);
+
+/// Writes a checkpoint. The one before is kept as previousOf() if `keepsBefore`. Throws std::runtime_error
+/// "path: reason", and then leaves it as it was.
+void writeCheckpoint(const std::filesystem::path& path, const RunSums& sums, bool keepsBefore = true);
 
 /// Where a run went on from.
 struct Resumed {

@@ -19,8 +19,7 @@ ReconstructedSky developSky(const TracedSky& traced, const LoadedScene& loaded, 
   return withThreads(threads, [&] { return reconstruct(traced.tally, loaded.scene.recon); });
 }
 
-void writeSky(const std::filesystem::path& exr, Image& image, const TallyInfo& info, const LoadedScene& loaded,
-              Gamut gamut) {
+void writeSky(const Output& exr, Image& image, const TallyInfo& info, const LoadedScene& loaded, Gamut gamut) {
   const Camera camera(info.camera);
   if (loaded.scene.sun.visible) drawUndeviatedSun(image, camera, Sun(loaded.scene.sun), info.undeviatedFraction());
   ExrAttributes attributes = sceneAttributes(loaded, info.rayCount());
@@ -39,17 +38,17 @@ std::string exposureText(double stops) {
   return text;
 }
 
-void writePreview(const std::filesystem::path& png, const Preview& preview, double stops, const std::string& scene) {
+void writePreview(const Output& png, const Preview& preview, double stops, const std::string& scene) {
   std::map<std::string, std::string> text{{"Software", kSoftware}, {"Exposure", exposureText(stops)}};
   if (!scene.empty()) text[kSceneKey] = scene;
   writePng(png, preview, text);
 }
 
 WrittenSky writeSkyFiles(const SkyFiles& files, Image image, const TallyInfo& info, const LoadedScene& loaded) {
-  writeSky(files.exr, image, info, loaded, files.gamut);
+  writeSky({files.exr, files.run}, image, info, loaded, files.gamut);
   const double stops = files.exposure ? *files.exposure : autoExposure(image);
   const Preview preview = developPreview(image, {stops});
-  writePreview(files.png, preview, stops, loaded.text);
+  writePreview({files.png, files.run}, preview, stops, loaded.text);
   return {stops, preview.badPixels};
 }
 

@@ -20,7 +20,7 @@ ReconstructedSky developSky(const TracedSky& traced, const LoadedScene& loaded, 
 /// Draws the sun into the image of a tally with that info if the scene makes it visible, and writes it as linear EXR
 /// with the scene inside, its colours as `gamut` says; other than exact ones are noted under kGamutKey. Throws
 /// std::runtime_error.
-void writeSky(const std::filesystem::path& exr, Image& image, const TallyInfo& info, const LoadedScene& loaded,
+void writeSky(const Output& exr, Image& image, const TallyInfo& info, const LoadedScene& loaded,
               Gamut gamut = Gamut::exact);
 
 /// An exposure as people and PNG texts read it: "+1.50 stops".
@@ -28,13 +28,14 @@ std::string exposureText(double stops);
 
 /// Writes a preview developed at that exposure, which is among the PNG's texts, and so is the scene that it shows, as
 /// TOML; a sheet of several pictures has none. Throws std::runtime_error.
-void writePreview(const std::filesystem::path& png, const Preview& preview, double stops, const std::string& scene);
+void writePreview(const Output& png, const Preview& preview, double stops, const std::string& scene);
 
 /// Where the two files of a sky go.
 struct SkyFiles {
   std::filesystem::path exr, png;
   std::optional<double> exposure;  // of the preview, stops; none: chosen by the picture
   Gamut gamut = Gamut::exact;      // of the EXR
+  Transaction* run = nullptr;      // with whose other files they appear; none: each by itself
 };
 
 /// What was written.

@@ -24,7 +24,7 @@ void SkySums::read(const std::filesystem::path& path) {
   tally_ = std::move(held);
 }
 
-void SkySums::write(const std::filesystem::path& file) const { writeTallyExr(file, tally_); }
+void SkySums::write(const Output& file) const { writeTallyExr(file, tally_); }
 
 void SkySums::subtract(RunSums& other) { tally_.subtract(dynamic_cast<SkySums&>(other).tally_); }
 

@@ -17,7 +17,7 @@ class SkySums : public RunSums {
   Measurement measurement() const override { return SkyMeasurement{}; }
   TallyOrigin& origin() override { return tally_.info; }
   void read(const std::filesystem::path& path) override;
-  void write(const std::filesystem::path& file) const override;
+  void write(const Output& file) const override;
   std::unique_ptr<RunSums> empty() const override { return std::make_unique<SkySums>(loaded_, cloud_); }
   void subtract(RunSums& other) override;
 

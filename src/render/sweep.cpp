@@ -22,10 +22,13 @@ double secondsSince(Clock::time_point start) { return std::chrono::duration<doub
 
 /// Renders a frame as render does. None, and nothing is written, if it was stopped before all its rays were traced.
 std::optional<TraceReport> renderFrame(const SweepFrame& frame, const TraceControl& control) {
+  Transaction run;
+  run.claim(frame.exr);
   const TracedSky traced = traceSky(frame.loaded, cloudOf(frame.loaded.scene), control);
   if (traced.report.interrupted) return std::nullopt;
   ReconstructedSky sky = developSky(traced, frame.loaded, control.threads);
-  writeSky(frame.exr, sky.image, traced.tally.info, frame.loaded, frame.gamut);
+  writeSky(run.at(frame.exr), sky.image, traced.tally.info, frame.loaded, frame.gamut);
+  run.commit();
   return traced.report;
 }
 

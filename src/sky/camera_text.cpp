@@ -50,7 +50,8 @@ class CameraToText {
 /// Reads them back.
 class CameraFromText {
  public:
-  CameraFromText(const AttributeReader& attributes, CameraSettings& camera) : attributes_(attributes), camera_(camera) {}
+  CameraFromText(const AttributeReader& attributes, CameraSettings& camera)
+      : attributes_(attributes), camera_(camera) {}
 
   void projection(const CameraKey& key) { camera_.projection = named<Projection>(key.attribute); }
   void number(const CameraKey& key, auto /*unit*/, double CameraSettings::*member) {
@@ -86,7 +87,8 @@ class CameraFromText {
   template <class Enumeration>
   Enumeration named(std::string_view name) const {
     const std::string attribute = cameraAttribute(name);
-    const auto member = attributes_.has(attribute) ? memberNamed<Enumeration>(attributes_.text(attribute)) : std::nullopt;
+    const auto member =
+        attributes_.has(attribute) ? memberNamed<Enumeration>(attributes_.text(attribute)) : std::nullopt;
     if (!member) attributes_.reject(attribute, "one of the names in docs/scene.md");
     return *member;
   }

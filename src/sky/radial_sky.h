@@ -72,12 +72,6 @@ class RadialSky {
   /// colours differ, std::overflow_error where a ring cannot hold the light.
   void merge(const RadialSky& other);
 
-  /// How full the fullest ring is, from 0 to 1. At 1 nothing more fits into it.
-  double fullness() const { return parhelion::fullness(rings_); }
-
-  /// Takes all light away.
-  void clear() { std::ranges::fill(rings_, SumLine{}); }
-
   /// Takes out what merge() has added.
   void subtract(const RadialSky& other);
 
@@ -99,6 +93,12 @@ class RadialSky {
   std::span<std::int64_t> sums() { return integersOf(rings_); }
 
   bool operator==(const RadialSky&) const = default;
+
+  /// How full the fullest ring is, from 0 to 1. At 1 nothing more fits into it.
+  double fullness() const { return parhelion::fullness(rings_); }
+
+  /// Takes all light away.
+  void clear() { std::ranges::fill(rings_, SumLine{}); }
 
   /// Sets all pixels of a tally from the rings. The radiance is taken as constant across a ring.
   ///
@@ -130,7 +130,7 @@ class RadialSky {
 
   Vec3 toCentre_, perWhite_;
   int colours_;
-  double perChord_;  // rings per chord length on the unit sphere
+  double perChord_;             // rings per chord length on the unit sphere
   std::vector<SumLine> rings_;  // by TallySlots::Slot
 };
 

@@ -24,9 +24,9 @@ RayRanges joined(std::vector<RayRange> ranges) {
       throw std::invalid_argument("tally: ray numbers beyond 2^64");
     const std::uint64_t end = result.empty() ? 0 : result.back().end();
     if (range.first < end)
-      throw std::invalid_argument("tally: " +
-                                  parhelion::wordsFor({{range.first, std::min(end, range.end()) - range.first}}) +
-                                  " are counted twice");
+      throw std::invalid_argument(
+          "tally: " + parhelion::wordsFor({{range.first, std::min(end, range.end()) - range.first}}) +
+          " are counted twice");
     if (!result.empty() && range.first == end)
       result.back().count += range.count;
     else

@@ -45,8 +45,7 @@ inline void addLines(std::vector<SumLine>& sums, const std::vector<SumLine>& amo
   std::int64_t sum = 0;
   bool overflow = false;
   for (std::size_t i = 0; i < sums.size(); ++i)
-    for (std::size_t k = 0; k < 8; ++k)
-      overflow |= __builtin_add_overflow(sums[i].place[k], amounts[i].place[k], &sum);
+    for (std::size_t k = 0; k < 8; ++k) overflow |= __builtin_add_overflow(sums[i].place[k], amounts[i].place[k], &sum);
   if (overflow) rejectLight();
   for (std::size_t i = 0; i < sums.size(); ++i)
     for (std::size_t k = 0; k < 8; ++k) sums[i].place[k] += amounts[i].place[k];
@@ -57,8 +56,7 @@ inline void subtractLines(std::vector<SumLine>& sums, const std::vector<SumLine>
   std::int64_t sum = 0;
   bool overflow = false;
   for (std::size_t i = 0; i < sums.size(); ++i)
-    for (std::size_t k = 0; k < 8; ++k)
-      overflow |= __builtin_sub_overflow(sums[i].place[k], amounts[i].place[k], &sum);
+    for (std::size_t k = 0; k < 8; ++k) overflow |= __builtin_sub_overflow(sums[i].place[k], amounts[i].place[k], &sum);
   if (overflow) rejectLight();
   for (std::size_t i = 0; i < sums.size(); ++i)
     for (std::size_t k = 0; k < 8; ++k) sums[i].place[k] -= amounts[i].place[k];

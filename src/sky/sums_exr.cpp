@@ -107,8 +107,8 @@ ExrAttributes completed(const ExrAttributes& attributes, std::span<const SumsPar
     all[name == "software" ? name : std::string(kOurPrefix).append(name)] = value;
   for (std::size_t i = 0; i < parts.size(); ++i)
     all[std::string(kPartPrefix).append(parts[i].name)] = std::to_string(parts[i].width) + "x" +
-                                                         std::to_string(parts[i].height) + " " +
-                                                         hexOf(checksumOf(parts[i], i, source));
+                                                          std::to_string(parts[i].height) + " " +
+                                                          hexOf(checksumOf(parts[i], i, source));
   Checksum checksum;
   addMeaning(checksum, all);
   all[kChecksumKey] = hexOf(checksum.value());
@@ -138,8 +138,8 @@ bool isSumsHeader(const Imf::Header& header, const SumsPart& part) {
 }
 
 std::string checksumObjection(const std::string& what, std::uint64_t found, std::uint64_t stored) {
-  return "damaged, or changed by another program: the checksum of " + what + " is " + hexOf(found) + ", and should be " +
-         hexOf(stored);
+  return "damaged, or changed by another program: the checksum of " + what + " is " + hexOf(found) +
+         ", and should be " + hexOf(stored);
 }
 
 }  // namespace
@@ -155,22 +155,21 @@ struct SumsExr::File {
 SumsPart listPart(std::string name, std::size_t numbers) {
   constexpr std::size_t kRow = 4096;
   const std::size_t width = std::clamp<std::size_t>(numbers, 1, kRow);
-  return {std::move(name), static_cast<int>(width),
-          std::max(1, static_cast<int>((numbers + width - 1) / width))};
+  return {std::move(name), static_cast<int>(width), std::max(1, static_cast<int>((numbers + width - 1) / width))};
 }
 
-void writeSumsExr(const std::filesystem::path& path, const ExrAttributes& attributes, std::span<const SumsPart> parts,
+void writeSumsExr(const Output& output, const ExrAttributes& attributes, std::span<const SumsPart> parts,
                   const SumsSource& source) {
-  withExrErrors(path, [&] {
+  withExrErrors(output.path, [&] {
     std::vector<Imf::Header> headers;
     for (const SumsPart& part : parts) headers.push_back(headerOf(part, parts.front()));
     insertText(headers.front(), completed(attributes, parts, source));
-    AtomicFile file(path);
+    AtomicFile file(output);
     {
-      ExrOutput stream(path, file);
-      Imf::MultiPartOutputFile output(stream, headers.data(), static_cast<int>(headers.size()));
+      ExrOutput stream(output.path, file);
+      Imf::MultiPartOutputFile writer(stream, headers.data(), static_cast<int>(headers.size()));
       for (std::size_t i = 0; i < parts.size(); ++i)
-        writePart(Imf::OutputPart(output, static_cast<int>(i)), parts[i], i, source);
+        writePart(Imf::OutputPart(writer, static_cast<int>(i)), parts[i], i, source);
     }  // here OpenEXR writes its tables of scan lines
     file.commit();
   });
@@ -197,7 +196,8 @@ void SumsExr::readHeader() {
                               ": trace it again, with the scene that parhelion info --scene prints");
   const auto stored = all.find(kChecksumKey);
   const auto expected = stored == all.end() ? std::nullopt : fromHex(stored->second);
-  if (!expected) throw exrError(path_, std::string("damaged: attribute ") + kChecksumKey + " is missing or no checksum");
+  if (!expected)
+    throw exrError(path_, std::string("damaged: attribute ") + kChecksumKey + " is missing or no checksum");
   Checksum checksum;
   addMeaning(checksum, all);
   if (checksum.value() != *expected)
@@ -209,8 +209,9 @@ void SumsExr::readHeader() {
       continue;
     }
     auto part = partFrom(name.substr(kPartPrefix.size()), value);
-    if (!part) throw exrError(path_, "attribute " + name + " is '" + value.substr(0, 60) +
-                                         "', and should be a size and a checksum");
+    if (!part)
+      throw exrError(path_,
+                     "attribute " + name + " is '" + value.substr(0, 60) + "', and should be a size and a checksum");
     parts_.push_back(std::move(part->first));
     checksums_.push_back(part->second);
   }
@@ -223,7 +224,8 @@ void SumsExr::requireParts() {
                               std::to_string(parts_.size()));
   for (const SumsPart& part : parts_) {
     int number = 0;
-    while (number < file.parts() && !(file.header(number).hasName() && file.header(number).name() == part.name)) ++number;
+    while (number < file.parts() && !(file.header(number).hasName() && file.header(number).name() == part.name))
+      ++number;
     if (number == file.parts() || !isSumsHeader(file.header(number), part))
       throw exrError(path_, "damaged: part " + part.name + " is not as its header says");
     requireSaneSize(path_, file.header(number));

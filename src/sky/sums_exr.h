@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "picture/exr.h"
+#include "picture/transaction.h"
 
 namespace parhelion {
 
@@ -34,7 +35,7 @@ using SumsSource = std::function<void(std::size_t part, std::size_t first, std::
 /// Writes an EXR with a part for each plane, its 64-bit integers as two UINT channels `hi` and `lo`. The attributes get
 /// "parhelion:" before their names, and stand in the first part's header together with the format, the parts and the
 /// checksums. `software` stands there, too. In one piece or not at all. Throws std::runtime_error "path: reason".
-void writeSumsExr(const std::filesystem::path& path, const ExrAttributes& attributes, std::span<const SumsPart> parts,
+void writeSumsExr(const Output& output, const ExrAttributes& attributes, std::span<const SumsPart> parts,
                   const SumsSource& source);
 
 /// Such a file, open for reading.

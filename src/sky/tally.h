@@ -24,9 +24,9 @@ class Tally : public TallySlots {
  public:
   TallyInfo info;  // camera and white stay as they were constructed; the rest is the tracer's to fill in
 
-  /// An empty tally, with the rings about the sun if its symmetry is radial. `colours` is 3 (CIE XYZ) or 1 (luminance only, for monochromatic light).
-  /// Throws std::invalid_argument for other numbers, a camera out of range, or a white that is negative, not finite or
-  /// has Y other than 1.
+  /// An empty tally, with the rings about the sun if its symmetry is radial. `colours` is 3 (CIE XYZ) or 1 (luminance
+  /// only, for monochromatic light). Throws std::invalid_argument for other numbers, a camera out of range, or a white
+  /// that is negative, not finite or has Y other than 1.
   explicit Tally(TallyInfo tallyInfo, int colours = 3);
 
   int width() const { return width_; }
@@ -150,7 +150,7 @@ class Tally : public TallySlots {
 
   int width_, height_, colours_;
   std::size_t stride_;
-  Vec3 perWhite_;  // 1 / white, 0 where the white has none
+  Vec3 perWhite_;               // 1 / white, 0 where the white has none
   std::vector<SumLine> lines_;  // a pixel has 8 integers (colour) or 4 (luminance only), so that one line holds them
   std::optional<RadialSky> rings_;
 };

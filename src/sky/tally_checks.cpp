@@ -69,8 +69,8 @@ class SumRules {
   using Slot = TallySlots::Slot;
 
   static std::string nameOf(int slot) {
-    constexpr std::array kNames{"the light", "the first half's light", "the sum of squares", "the number of hits",
-                                "the X",     "the Z"};
+    constexpr std::array kNames{
+        "the light", "the first half's light", "the sum of squares", "the number of hits", "the X", "the Z"};
     return kNames[static_cast<std::size_t>(slot)];
   }
 
@@ -79,7 +79,8 @@ class SumRules {
     if (hits > mostHits_)
       reject(nameOf(Slot::kHits) + place() + words(hits), "at most " + words(mostHits_) + ", as many as there are");
     for (int slot = 0; slot < slots_; ++slot)
-      if (hits == 0.0 && sums[slot] > 0.0) reject(nameOf(slot) + place() + words(sums[slot]), "0 where there is no hit");
+      if (hits == 0.0 && sums[slot] > 0.0)
+        reject(nameOf(slot) + place() + words(sums[slot]), "0 where there is no hit");
   }
 
   /// Of n numbers that are not negative the sum of squares S and the sum Y have S <= Y^2 <= n S.
@@ -92,7 +93,8 @@ class SumRules {
     if (squares > most * (1.0 + kRounding))
       reject(nameOf(Slot::kSquares) + place() + words(squares), "at most the squared light, " + words(most));
     if (squares < least * (1.0 - kRounding))
-      reject(nameOf(Slot::kSquares) + place() + words(squares), "at least the squared light over the hits, " + words(least));
+      reject(nameOf(Slot::kSquares) + place() + words(squares),
+             "at least the squared light over the hits, " + words(least));
   }
 
   void requireIntercepted(const Line& sums, const auto& place) const {
@@ -116,8 +118,9 @@ class SumRules {
 Line lineOf(int slots, const auto& raw) {
   Line line{};
   for (int slot = 0; slot < slots; ++slot)
-    line[slot] = slot == TallySlots::kHits ? static_cast<double>(raw(slot))
-                                           : fromFixed(raw(slot), slot == TallySlots::kSquares ? kSquareScale : kWeightScale);
+    line[slot] = slot == TallySlots::kHits
+                     ? static_cast<double>(raw(slot))
+                     : fromFixed(raw(slot), slot == TallySlots::kSquares ? kSquareScale : kWeightScale);
   return line;
 }
 

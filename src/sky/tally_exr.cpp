@@ -26,7 +26,8 @@ std::vector<SumsPart> partsOf(const Tally& tally) {
   for (std::size_t slot = 0; slot < slots; ++slot) parts.push_back({kSlotNames[slot], tally.width(), tally.height()});
   if (!tally.rings()) return parts;
   for (std::size_t slot = 0; slot < slots; ++slot)
-    parts.push_back(listPart(std::string(kRingPrefix) + kSlotNames[slot], static_cast<std::size_t>(tally.rings()->bins())));
+    parts.push_back(
+        listPart(std::string(kRingPrefix) + kSlotNames[slot], static_cast<std::size_t>(tally.rings()->bins())));
   return parts;
 }
 
@@ -56,7 +57,8 @@ std::vector<std::size_t> placesOf(const std::filesystem::path& path, const SumsE
 void readRings(SumsExr& file, std::size_t place, int slot, RadialSky& rings) {
   file.read(place, [&](std::size_t first, std::span<const std::int64_t> values) {
     for (std::size_t i = 0; i < values.size(); ++i)
-      if (first + i < static_cast<std::size_t>(rings.bins())) rings.setRaw(static_cast<int>(first + i), slot, values[i]);
+      if (first + i < static_cast<std::size_t>(rings.bins()))
+        rings.setRaw(static_cast<int>(first + i), slot, values[i]);
   });
 }
 
@@ -78,17 +80,17 @@ TallyInfo infoOf(const std::filesystem::path& path, const SumsExr& file) {
 
 }  // namespace
 
-void writeTallyExr(const std::filesystem::path& path, const Tally& tally) {
+void writeTallyExr(const Output& output, const Tally& tally) {
   ExrAttributes attributes = textFromInfo(tally.info);
   attributes["software"] = "Parhelion " + tally.info.version;
   const auto slots = static_cast<std::size_t>(tally.slots());
-  writeSumsExr(path, attributes, partsOf(tally),
-               [&](std::size_t part, std::size_t first, std::span<std::int64_t> values) {
-                 const int slot = static_cast<int>(part % slots);
-                 for (std::size_t i = 0; i < values.size(); ++i)
-                   values[i] = part < slots ? tally.raw(static_cast<int>(first + i), slot)
-                                            : ringSum(*tally.rings(), first + i, slot);
-               });
+  writeSumsExr(
+      output, attributes, partsOf(tally), [&](std::size_t part, std::size_t first, std::span<std::int64_t> values) {
+        const int slot = static_cast<int>(part % slots);
+        for (std::size_t i = 0; i < values.size(); ++i)
+          values[i] =
+              part < slots ? tally.raw(static_cast<int>(first + i), slot) : ringSum(*tally.rings(), first + i, slot);
+      });
 }
 
 TallyInfo readTallyInfo(const std::filesystem::path& path) {

@@ -50,8 +50,8 @@ constexpr std::string_view nameOf(TallySymmetry value) {
 /// What a tally's sums were made of. With it, a reconstruction needs neither the scene nor the tracer.
 struct TallyInfo : TallyOrigin {
   TallySymmetry symmetry = TallySymmetry::none;
-  LightTotal intercepted;  // light taken from the beam: per ray 1 on average, 2 if mirrored
-  LightTotal undeviated;   // the part of it that goes on in the sun's direction, in no pixel
+  LightTotal intercepted;                    // light taken from the beam: per ray 1 on average, 2 if mirrored
+  LightTotal undeviated;                     // the part of it that goes on in the sun's direction, in no pixel
   std::array<LightTotal, 3> interceptedXyz;  // `intercepted` in CIE XYZ over the white's: pixels can hold no more
   Vec3 white{1.0, 1.0, 1.0};                 // CIE XYZ of the undeviated sunlight, Y = 1
   double sunElevation = 0.0;                 // rad

@@ -17,12 +17,14 @@ void InterceptedLight::add(const TracedRays& traced) {
       undeviated_.addUnits(toFixed(exits.energy[exit] * queue.light[static_cast<int>(exits.ray[exit])].light));
 }
 
-void InterceptedLight::addTo(TallyInfo& info) const {
+void InterceptedLight::moveTo(TallyInfo& info) {
   for (int image = 0; image < info.images(); ++image) {
     info.intercepted.merge(intercepted_);
     info.undeviated.merge(undeviated_);
     for (int k = 0; k < 3; ++k) info.interceptedXyz[k].merge(xyz_[k]);
   }
+  intercepted_ = undeviated_ = {};
+  xyz_ = {};
 }
 
 }  // namespace parhelion

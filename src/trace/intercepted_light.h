@@ -13,8 +13,8 @@ class InterceptedLight {
 
   void add(const TracedRays& traced);
 
-  /// Adds it to a tally's totals, as many times as a ray counts there.
-  void addTo(TallyInfo& info) const;
+  /// Adds it to a tally's totals, as many times as a ray counts there. Nothing is left here.
+  void moveTo(TallyInfo& info);
 
  private:
   Vec3 perWhite_;

@@ -27,11 +27,8 @@ void RadialFilm::merge(Film& fromThread) {
   auto& other = dynamic_cast<RadialFilm&>(fromThread);
   sky_.merge(other.sky_);
   other.sky_.clear();
-  other.intercepted_.addTo(tally_.info);
-  other.intercepted_ = InterceptedLight(tally_);
+  other.intercepted_.moveTo(tally_.info);
 }
-
-void RadialFilm::finish() { tally_.spreadRings(); }
 
 void RadialFilm::visitSums(SumVisitor& visitor) {
   visitor.visit(sky_.sums());

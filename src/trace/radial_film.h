@@ -27,7 +27,7 @@ class RadialFilm : public Film {
   void visitSums(SumVisitor& visitor) override;
 
   /// Spreads the rings over the tally's pixels, in the place of what was there.
-  void finish() override;
+  void finish() override { sky_.spreadOver(tally_); }
   double fullness() const override { return tally_.fullness(); }
 
  private:

@@ -33,8 +33,7 @@ int SkyFilm::add(const TracedRays& traced) {
 void SkyFilm::merge(Film& fromThread) {
   auto& other = dynamic_cast<SkyFilm&>(fromThread);
   other.buffer_.flush();
-  other.intercepted_.addTo(tally_.info);
-  other.intercepted_ = InterceptedLight(tally_);
+  other.intercepted_.moveTo(tally_.info);
 }
 
 void SkyFilm::finish() {

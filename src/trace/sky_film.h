@@ -20,9 +20,7 @@ class SkyFilm : public Film {
   explicit SkyFilm(Tally& tally) : SkyFilm(tally, std::make_shared<DepositBuffer::Locks>()) {}
 
   int add(const TracedRays& traced) override;
-  std::unique_ptr<Film> forThread() override {
-    return std::unique_ptr<SkyFilm>(new SkyFilm(tally_, locks_));
-  }
+  std::unique_ptr<Film> forThread() override { return std::unique_ptr<SkyFilm>(new SkyFilm(tally_, locks_)); }
   void merge(Film& fromThread) override;
   void visitSums(SumVisitor& visitor) override;
   void finish() override;

@@ -144,8 +144,8 @@ Preview pixelsOf(std::string_view png) {
   return picture;
 }
 
-void writeSvg(const std::filesystem::path& path, const std::string& svg, const std::string& software) {
-  AtomicFile file(path);
+void writeSvg(const Output& output, const std::string& svg, const std::string& software) {
+  AtomicFile file(output);
   const std::size_t declaration = svg.find('\n') + 1;
   file.write(svg.substr(0, declaration) + "<!-- " + software + " -->\n" + svg.substr(declaration));
   file.commit();
@@ -153,14 +153,14 @@ void writeSvg(const std::filesystem::path& path, const std::string& svg, const s
 
 }  // namespace
 
-void drawChart(const std::filesystem::path& path, const ChartAxes& axes, std::span<const ChartCurve> curves,
+void drawChart(const Output& output, const ChartAxes& axes, std::span<const ChartCurve> curves,
                const std::string& software) {
   if (std::all_of(curves.begin(), curves.end(), [](const ChartCurve& curve) { return curve.points.empty(); }))
     throw std::invalid_argument("a chart needs a point at least");
-  const std::string extension = extensionOf(path);
+  const std::string extension = extensionOf(output.path);
   const std::string picture = gnuplot(script(extension, axes, curves));
-  if (extension == ".svg") return writeSvg(path, picture, software);
-  writePng(path, pixelsOf(picture), {{"Software", software}});
+  if (extension == ".svg") return writeSvg(output, picture, software);
+  writePng(output, pixelsOf(picture), {{"Software", software}});
 }
 
 }  // namespace parhelion

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "math/conventions.h"
+#include "picture/transaction.h"
 
 namespace parhelion {
 
@@ -22,7 +23,7 @@ struct ChartAxes {
 /// Draws curves as .svg or .png, by the name's extension, with the program gnuplot; `software` is what the file says
 /// has made it. In one piece or not at all (atomic_file.h). Throws std::runtime_error in one line where gnuplot is not
 /// installed or fails, or the file cannot be written, std::invalid_argument where no curve has a point.
-void drawChart(const std::filesystem::path& path, const ChartAxes& axes, std::span<const ChartCurve> curves,
+void drawChart(const Output& output, const ChartAxes& axes, std::span<const ChartCurve> curves,
                const std::string& software);
 
 }  // namespace parhelion

@@ -21,14 +21,13 @@ void layOver(Preview& picture, const LineArt& lines) {
   }
 }
 
-void writeLineArt(const std::filesystem::path& path, const LineArt& lines,
-                  const std::map<std::string, std::string>& text) {
+void writeLineArt(const Output& output, const LineArt& lines, const std::map<std::string, std::string>& text) {
   Photograph picture;
   picture.width = lines.width;
   picture.height = lines.height;
   picture.channels = 4;
   picture.samples = lines.rgba;
-  writePhotograph(path, picture, text);
+  writePhotograph(output, picture, text);
 }
 
 }  // namespace parhelion

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "picture/tone.h"
+#include "picture/transaction.h"
 
 namespace parhelion {
 
@@ -23,7 +24,6 @@ struct LineArt {
 void layOver(Preview& picture, const LineArt& lines);
 
 /// Writes them as PNG with alpha, see writePhotograph.
-void writeLineArt(const std::filesystem::path& path, const LineArt& lines,
-                  const std::map<std::string, std::string>& text);
+void writeLineArt(const Output& output, const LineArt& lines, const std::map<std::string, std::string>& text);
 
 }  // namespace parhelion

@@ -128,7 +128,7 @@ TEST_CASE("links lead to what is guarded, folders are no outputs, and an input i
       {"link.csv", 1, "link.csv: is there and was not written by parhelion"},
       {"loop.csv", 1, "loop.csv: Too many levels of symbolic links"},
       {"folder.csv", 1, "folder.csv: Is a directory"},
-      {"none/x.csv", 1, "none/x.csv: No such file"},
+      {"none/x.csv", 1, "none/x.csv: the folder none does not exist"},
       {"hard.csv --overwrite", 2, "written over"},
       {"here/s.toml --overwrite", 2, "written over"},
       {"./s.toml --overwrite", 2, "written over"},

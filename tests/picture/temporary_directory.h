@@ -42,6 +42,11 @@ class TemporaryDirectory {
   std::filesystem::path path_;
 };
 
+/// What is said of an output in a folder that does not exist.
+inline std::string noFolderFor(const std::filesystem::path& path) {
+  return path.string() + ": the folder " + path.parent_path().string() + " does not exist";
+}
+
 inline std::string contents(const std::filesystem::path& path) {
   std::ifstream stream(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(stream), {}};

@@ -56,11 +56,9 @@ TEST_CASE("the attributes of a camera keep their names") {
   for (const auto& [key, entry] : textFromInfo(info))
     if (key.find("camera.") != std::string::npos) names.push_back(key);
   std::sort(names.begin(), names.end());
-  CHECK(names == std::vector<std::string>{
-                     "camera.azimuth", "camera.circle", "camera.elevation",
-                     "camera.fov", "camera.fovAxis", "camera.horizon",
-                     "camera.k1", "camera.k2", "camera.k3", "camera.projection",
-                     "camera.roll", "camera.shiftX", "camera.shiftY"});
+  CHECK(names == std::vector<std::string>{"camera.azimuth", "camera.circle", "camera.elevation", "camera.fov",
+                                          "camera.fovAxis", "camera.horizon", "camera.k1", "camera.k2", "camera.k3",
+                                          "camera.projection", "camera.roll", "camera.shiftX", "camera.shiftY"});
 }
 
 TEST_CASE("a tally's file without one of a camera's attributes, or with a wrong one, is refused") {

@@ -64,11 +64,11 @@ TEST_CASE("a tally traced in parts and looked at between them has the bits of on
     for (const int threads : {1, 2, 7}) {
       Tally parts = emptyTally(cloud, way.camera);
       const auto film = makeFilm(parts, cloud, way.symmetry);
-      std::int64_t last = 0;
+      LightTotal::Units last = 0;
       traceInParts(cloud, *film, kRays, threads, [&] {
         CHECK(totalLuminance(parts) > 0.0);
-        CHECK(parts.info.intercepted > last);
-        last = parts.info.intercepted;
+        CHECK((parts.info.intercepted.units() > last));
+        last = parts.info.intercepted.units();
       });
       parts.info.rays = {{0, kRays}};
       CHECK(parts == whole);
