@@ -119,8 +119,12 @@ void LongRun::showProgress(std::uint64_t done, double seconds) {
 }
 
 std::string LongRun::progressLine(Progress::Style style, double done, double seconds) const {
-  TraceProgress progress{static_cast<double>(heldBefore_) + done, static_cast<double>(task_.wanted.count), done, seconds,
-                         error_, task_.longRun.goal()};
+  TraceProgress progress{static_cast<double>(heldBefore_) + done,
+                         static_cast<double>(task_.wanted.count),
+                         done,
+                         seconds,
+                         error_,
+                         task_.longRun.goal()};
   return parhelion::cli::progressLine(style, progress);
 }
 
@@ -153,8 +157,7 @@ bool LongRun::tryCheckpoint() {
 }
 
 void LongRun::writeLastCheckpoint() {
-  const bool leavesOne =
-      task_.longRun.leavesCheckpoint() || wroteCheckpoint_ || report_.end == RunEnd::stopped;
+  const bool leavesOne = task_.longRun.leavesCheckpoint() || wroteCheckpoint_ || report_.end == RunEnd::stopped;
   if (task_.checkpoint.empty() || !leavesOne || !tryCheckpoint()) return;
   isSaved_ = true;
   tell("wrote " + task_.checkpoint.string());
@@ -167,7 +170,7 @@ void LongRun::report(Transaction& outputs) const {
     if (held != report_.rays) say("with those traced before %" PRIu64 " rays", held);
     if (report_.error)
       say("error: %s%s", percent(*report_.error).c_str(),
-                          *report_.error <= task_.longRun.goal() ? "" : ", more than was asked for");
+          *report_.error <= task_.longRun.goal() ? "" : ", more than was asked for");
   }
   if (task_.run.stats.empty()) return;
   nlohmann::ordered_json json = statsJson(task_.settings, report_, task_.run.threads);

@@ -60,7 +60,8 @@ bool isError(std::string_view text) {
 }  // namespace
 
 void LongRunOptions::addTo(CLI::App& command, const std::string& keeps, bool hasPicture) {
-  command.add_option("--slice", slice, "Trace one of n equal parts of the rays, for one 3/10; merge puts them together")
+  command
+      .add_option("--slice", slice, "Trace one of n equal parts of the rays, for one 3/10; merge puts them together")
       ->type_name("I/N")
       ->check(check("the number of a slice and how many there are, for one 3/10",
                     [](std::string_view text) { return sliceIn(text).has_value(); }));
