@@ -47,7 +47,7 @@ void addTrace(CLI::App& app, int& exit) {
   CLI::App* command =
       app.add_subcommand("trace", "Trace a scene into a tally EXR: exact sums a pixel, not yet a picture");
   options->run.addTo(*command, true);
-  options->longRun.addTo(*command, "the tally", true);
+  options->longRun.addTo(*command, LongRunOptions::Keeps::output);
   command->add_option("-o,--output", options->output, "The tally, an EXR; - for stdout; that of --resume when left out")
       ->type_name("FILE");
   command->callback([options, &exit] { exit = runTrace(*options); });

@@ -12,6 +12,7 @@
 #include "sky/sums_exr.h"
 #include "sky/tally_checks.h"
 #include "sky/tally_info_text.h"
+#include "sky/tally_kind.h"
 
 namespace parhelion {
 namespace {
@@ -82,6 +83,7 @@ TallyInfo infoOf(const std::filesystem::path& path, const SumsExr& file) {
 
 void writeTallyExr(const Output& output, const Tally& tally) {
   ExrAttributes attributes = textFromInfo(tally.info);
+  attributes["kind"] = std::string(nameOf(TallyKind::sky));
   attributes["software"] = "Parhelion " + tally.info.version;
   const auto slots = static_cast<std::size_t>(tally.slots());
   writeSumsExr(
@@ -95,12 +97,16 @@ void writeTallyExr(const Output& output, const Tally& tally) {
 
 TallyInfo readTallyInfo(const std::filesystem::path& path) {
   const SumsExr file(path);
-  return withExrErrors(path, [&] { return infoOf(path, file); });
+  return withExrErrors(path, [&] {
+    requireTallyKind(path, file, TallyKind::sky);
+    return infoOf(path, file);
+  });
 }
 
 Tally readTallyExr(const std::filesystem::path& path) {
   SumsExr file(path);
   return withExrErrors(path, [&] {
+    requireTallyKind(path, file, TallyKind::sky);
     const bool grey = std::ranges::find(file.parts(), "X", &SumsPart::name) == file.parts().end();
     Tally tally(infoOf(path, file), grey ? 1 : 3);
     RadialSky* rings = tally.rings() ? &tally.makeRings(tally.info.toSun()) : nullptr;
