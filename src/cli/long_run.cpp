@@ -193,11 +193,12 @@ void LongRun::writeSums(const Output& output) {
   const bool isCheckpoint = !task_.checkpoint.empty() && (wroteCheckpoint_ || task_.longRun.asksForCheckpoints());
   if (isCheckpoint && keepsPrevious_) keepPrevious(output.path);
   failed_ = false;
+  isSaved_ = true;
 }
 
 int LongRun::exitCode() const {
   if (failed_) return kRunTimeFailure;
-  return report_.end == RunEnd::stopped ? kInterrupted : kDone;
+  return report_.end == RunEnd::stopped || endsWithoutPicture() ? kInterrupted : kDone;
 }
 
 /// What ends a run of many processes may be the loss of one, which takes the others' light with it, and this process

@@ -22,9 +22,9 @@ struct LongRunTask {
   const RunOptions& run;
   const LongRunOptions& longRun;
   const Cloud& cloud;
-  TraceSettings settings;            // as chosen
-  RayRange wanted;                   // rays that are to be in the sums in the end
-  std::filesystem::path checkpoint;  // where checkpoints go; empty: nowhere
+  TraceSettings settings;                               // as chosen
+  RayRange wanted;                                      // rays that are to be in the sums in the end
+  std::filesystem::path checkpoint;                     // where checkpoints go; empty: nowhere
   std::function<std::optional<double>()> measureError;  // of the sums' picture; empty: there is none
 };
 

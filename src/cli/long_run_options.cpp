@@ -52,6 +52,12 @@ CLI::Validator check(std::string expected, bool (*isGood)(std::string_view)) {
       [=](const std::string& text) { return isGood(text) ? std::string() : expectedNot(expected, text); }, "");
 }
 
+const char* wordsFor(LongRunOptions::Keeps keeps) {
+  return keeps == LongRunOptions::Keeps::output        ? "the tally"
+         : keeps == LongRunOptions::Keeps::tallyBeside ? "the tally, NAME.tally.exr beside NAME.exr,"
+                                                       : "the tally of --tally";
+}
+
 bool isError(std::string_view text) {
   const std::optional<double> share = shareIn(text);
   return share && *share >= 1e-6 && *share < 1.0;
@@ -59,8 +65,9 @@ bool isError(std::string_view text) {
 
 }  // namespace
 
-void LongRunOptions::addTo(CLI::App& command, const std::string& keeps, bool hasPicture) {
-  command.add_option("--slice", slice, "Trace one of n equal parts of the rays, for one 3/10; merge puts them together")
+void LongRunOptions::addTo(CLI::App& command, Keeps keeps) {
+  command
+      .add_option("--slice", slice, "Trace one of n equal parts of the rays, for one 3/10; merge puts them together")
       ->type_name("I/N")
       ->check(check("the number of a slice and how many there are, for one 3/10",
                     [](std::string_view text) { return sliceIn(text).has_value(); }));
@@ -74,16 +81,28 @@ void LongRunOptions::addTo(CLI::App& command, const std::string& keeps, bool has
       ->type_name("TALLY");
   command
       .add_option("--checkpoint", checkpoint,
-                  "How often to write " + keeps +
+                  "How often to write " + wordsFor(keeps) +
                       " on the way, or none; every 10min in runs over 20min when left out, at most 1 % of the time")
       ->type_name("TIME")
       ->check(duration(1e-3, 1e9, "none"));
-  if (!hasPicture) return;
+  if (keeps == Keeps::tallyByName) {
+    command
+        .add_option("--tally", tally,
+                    "The exact sums, an EXR, to be merged and gone on from; that of --resume when left out")
+        ->type_name("FILE");
+    return;
+  }
   command
       .add_option("--error", error,
                   "Stop when the picture's mean relative error is so small, for one 1%; --rays is the most")
       ->type_name("SHARE")
       ->check(check("a share below 1, for one 1% or 0.01", isError));
+}
+
+std::string LongRunOptions::tallyFile() const {
+  const std::string& file = tally.empty() ? resume : tally;
+  if (file.empty() && asksForCheckpoints()) throw CLI::ValidationError("--checkpoint", "--tally FILE says where to");
+  return file;
 }
 
 RayRange LongRunOptions::wanted(std::uint64_t rays, int bundleSize, const RunOptions& run) const {

@@ -18,9 +18,18 @@ struct LongRunOptions {
   std::string checkpoint;       // time or "none"; empty: as chosen
   std::string error;            // "1%" or "0.01"; empty: none
 
-  /// Adds the options to a subcommand. `keeps` says what --checkpoint writes, `hasPicture` whether there is an error
-  /// to be told.
-  void addTo(CLI::App& command, const std::string& keeps, bool hasPicture);
+  std::string tally;  // file for the exact sums; empty: none
+
+  /// What a command's checkpoints are.
+  enum class Keeps { output, tallyBeside, tallyByName };
+
+  /// Adds the options to a subcommand: --tally to those that keep their sums by that name only, --error to the others,
+  /// which make pictures.
+  void addTo(CLI::App& command, Keeps keeps);
+
+  /// The file of --tally, or that of --resume. Throws CLI::ValidationError where checkpoints are asked for and there is
+  /// neither.
+  std::string tallyFile() const;
 
   /// The rays of the run, of a scene with so many. Throws CLI::ValidationError if the options do not fit together, or
   /// not to the bundles.

@@ -3,14 +3,15 @@
 #include <cstdio>
 
 #include "cli/commands.h"
+#include "cli/long_run.h"
 #include "cli/number_options.h"
 #include "cli/outputs.h"
 #include "cli/run_options.h"
 #include "cli/tables.h"
 #include "cli/text_output.h"
-#include "cli/trace_watch.h"
 #include "picture/exr.h"
 #include "picture/photograph.h"
+#include "render/measured_sums.h"
 #include "render/measurements.h"
 #include "render/scene_attributes.h"
 
@@ -20,6 +21,7 @@ namespace {
 
 struct MapOptions {
   RunOptions run;
+  LongRunOptions longRun;
   double step = 1.0;  // degrees
   std::string output = "-";
 
@@ -40,17 +42,27 @@ std::string csv(const SkyMap& map) {
 
 int runMap(const MapOptions& options, int binsPerHalfTurn) {
   const LoadedScene loaded = options.run.load();
-  Transaction outputs = claimOutputs({{options.run.scene}, {options.output, options.run.stats}}, options.run.overwrite);
+  const Cloud cloud = cloudOf(loaded.scene);
+  const TraceSettings settings = settingsOfMeasurement(cloud, loaded.scene.trace);
+  const RayRange wanted = options.longRun.wanted(settings.rays, cloud.bundleSize(), options.run);
+  const std::string tally = options.longRun.tallyFile();
+  Transaction outputs =
+      claimOutputs({{options.run.scene}, {options.output, tally, options.run.stats}}, options.run.overwrite);
   const StopSignal stop;
-  TraceWatch watch(options.run, loaded.scene.trace.rays, stop);
-  const TracedMap traced = traceMap(loaded.scene, binsPerHalfTurn, watch.control());
-  const int exit = watch.report(traced, outputs);
-  if (options.toExr())
-    writeBeautyExr(outputs.at(options.output), mapPicture(traced.map), sceneAttributes(loaded, traced.report.rays));
-  else
-    writeText(outputs.at(options.output), csv(traced.map));
+  MeasuredSums<MapTally> sums(emptyMapTally(loaded, cloud, binsPerHalfTurn));
+  LongRun run({options.run, options.longRun, cloud, settings, wanted, tally, {}}, sums, stop);
+  run.trace();
+  run.report(outputs);
+  if (!tally.empty()) run.writeSums(outputs.at(tally));
+  if (!run.endsWithoutPicture()) {
+    const SkyMap& map = sums.tally().sums;
+    if (options.toExr())
+      writeBeautyExr(outputs.at(options.output), mapPicture(map), sceneAttributes(loaded, sums.origin().rayCount()));
+    else
+      writeText(outputs.at(options.output), csv(map));
+  }
   outputs.commit();
-  return exit;
+  return run.exitCode();
 }
 
 }  // namespace
@@ -59,6 +71,7 @@ void addMap(CLI::App& app, int& exit) {
   auto options = std::make_shared<MapOptions>();
   CLI::App* command = app.add_subcommand("map", "Light over azimuth and elevation of the whole sphere, as CSV or EXR");
   options->run.addTo(*command, false);
+  options->longRun.addTo(*command, LongRunOptions::Keeps::tallyByName);
   command->add_option("--step", options->step, "Size of a bin, degrees; 90 must be a multiple of it")
       ->transform(number(0.01, 90.0));
   command->add_option("-o,--output", options->output, "CSV file, or EXR by its name; - for CSV on stdout")

@@ -98,7 +98,7 @@ void addRender(CLI::App& app, int& exit, Tracers& tracers) {
   auto options = std::make_shared<RenderOptions>();
   CLI::App* command = app.add_subcommand("render", "Render a scene to a linear EXR and a PNG preview beside it");
   options->run.addTo(*command, true);
-  options->longRun.addTo(*command, "the tally NAME.tally.exr", true);
+  options->longRun.addTo(*command, LongRunOptions::Keeps::tallyBeside);
   options->picture.addTo(*command);
   command->callback([options, &exit, &tracers] { exit = runRender(*options, tracers); });
 }

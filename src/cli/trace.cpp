@@ -47,10 +47,8 @@ void addTrace(CLI::App& app, int& exit, Tracers& tracers) {
   CLI::App* command =
       app.add_subcommand("trace", "Trace a scene into a tally EXR: exact sums a pixel, not yet a picture");
   options->run.addTo(*command, true);
-  options->longRun.addTo(*command, "the tally", true);
-  command
-      ->add_option("-o,--output", options->output,
-                   "The tally, an EXR; - for stdout; that of --resume when left out")
+  options->longRun.addTo(*command, LongRunOptions::Keeps::output);
+  command->add_option("-o,--output", options->output, "The tally, an EXR; - for stdout; that of --resume when left out")
       ->type_name("FILE");
   command->callback([options, &exit, &tracers] { exit = runTrace(*options, tracers); });
 }

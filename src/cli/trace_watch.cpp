@@ -66,8 +66,9 @@ TraceControl TraceWatch::control() {
   TraceControl control = traceControl(options_, stop_);
   control.onProgress = [this](std::uint64_t count, double seconds) {
     const double done = static_cast<double>(count);
-    progress_.update(done / rays_, seconds,
-                     [&](Progress::Style style) { return progressLine(style, {done, rays_, done, seconds, {}}); });
+    progress_.update(done / rays_, seconds, [&](Progress::Style style) {
+      return progressLine(style, {done, rays_, done, seconds, {}});
+    });
   };
   return control;
 }

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "picture/transaction.h"
 #include "render/traced_sky.h"
 #include "sky/tally_info.h"
 #include "trace/scatter_profile.h"
@@ -30,8 +31,8 @@ ProfileTally emptyProfileTally(const LoadedScene& loaded, const Cloud& cloud, in
 
 /// Writes a file of sums (sky/sums_exr.h) that reading gives back to the bit. In one piece or not at all. Throws
 /// std::runtime_error "path: reason".
-void writeTally(const std::filesystem::path& path, const MapTally& tally);
-void writeTally(const std::filesystem::path& path, const ProfileTally& tally);
+void writeTally(const Output& output, const MapTally& tally);
+void writeTally(const Output& output, const ProfileTally& tally);
 
 /// Throws std::runtime_error "path: reason" for files that are no such tally, are damaged, or hold what no run can have
 /// made.

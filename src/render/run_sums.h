@@ -63,8 +63,8 @@ struct Resumed {
 /// neither. Throws as RunSums::read() does, for a damaged checkpoint only if there is none before it.
 Resumed resumeFrom(const std::filesystem::path& checkpoint, RunSums& sums);
 
-/// Takes out the last rays of ranges that end within a bundle of which more rays are wanted: a bundle's rays can only be
-/// traced together. Afterwards these rays are missing.
+/// Takes out the last rays of ranges that end within a bundle of which more rays are wanted: a bundle's rays can only
+/// be traced together. Afterwards these rays are missing.
 void takeOutCutBundles(RunSums& sums, const RayRange& wanted, const Cloud& cloud, const TraceSettings& settings);
 
 }  // namespace parhelion

@@ -53,7 +53,7 @@ class Run {
   std::uint64_t wanted_ = 0, done_ = 0;  // rays of this run
   bool finished_ = false;                // the film's result is made of all rays held
   bool checkpointIsDue_ = false;
-  double lastCheckpoint_ = 0.0, lastCost_ = 0.0;                          // s
+  double lastCheckpoint_ = 0.0, lastCost_ = 0.0;                        // s
   std::uint64_t measured_ = std::numeric_limits<std::uint64_t>::max();  // rays held when the error was
 };
 
@@ -75,9 +75,7 @@ RunReport Run::trace(const RayRanges& missing) {
 }
 
 /// Since the run began.
-double Run::seconds() const {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-}
+double Run::seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
 
 /// False if the run ends here.
 bool Run::traceRange(RayRange left) {

@@ -13,7 +13,8 @@ namespace parhelion {
 
 /// When a run writes down what it has, so that another can go on from there.
 struct CheckpointControl {
-  /// Writes it. The sums are finished and their ranges of rays right while it is called. Empty: nothing is ever written.
+  /// Writes it. The sums are finished and their ranges of rays right while it is called. Empty: nothing is ever
+  /// written.
   std::function<void()> write;
 
   /// Seconds between the end of one and the beginning of the next. None: ten minutes, but of runs of less than about
@@ -50,8 +51,8 @@ struct RunReport : TraceReport {
 std::uint64_t nextErrorCheck(std::uint64_t rays, int bundleSize);
 
 /// Traces the missing rays of a run into a film, in their order, with pauses for checkpoints and for measuring the
-/// error. `held` are the rays that the film's sums have already, whose result is made (Film::finish()); in the end these
-/// are all, and their result is made. All ranges start with the first ray of a bundle.
+/// error. `held` are the rays that the film's sums have already, whose result is made (Film::finish()); in the end
+/// these are all, and their result is made. All ranges start with the first ray of a bundle.
 ///
 /// Errors are measured only when the rays held are the first ones of the sequence without a gap and as many as
 /// nextErrorCheck() says, so that a run stops after the same rays on any machine, broken off or not. It is measured at
