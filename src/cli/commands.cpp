@@ -10,8 +10,8 @@ void addCommands(CLI::App& app, int& exit, Tracers& tracers) {
   addComposite(app, exit);
   addSweep(app, exit);
   addView(app, exit);
-  addProfile(app, exit);
-  addMap(app, exit);
+  addProfile(app, exit, tracers);
+  addMap(app, exit, tracers);
   addReplay(app, exit);
   addInfo(app, exit);
   addCheck(app, exit);

@@ -3,16 +3,13 @@
 #include <csignal>
 #include <exception>
 #include <memory>
-#include <optional>
 
 #include "math/overloaded.h"
+#include "render/measured_sums.h"
 #include "render/ranks/rank_film.h"
 #include "render/ranks/rank_tracers.h"
 #include "render/ranks/rank_words.h"
-#include "render/traced_sky.h"
-#include "trace/expose.h"
-#include "trace/scatter_profile.h"
-#include "trace/sky_map.h"
+#include "render/sky_sums.h"
 
 namespace parhelion {
 
@@ -25,39 +22,36 @@ class RankWorker {
       : ranks_(ranks),
         loaded_(parseScene(task.scene, "the scene of rank 0")),
         cloud_(cloudOf(loaded_.scene)),
-        settings_(chosenSettings(cloud_, loaded_.scene.trace)),
-        film_(filmOf(task.measurement)),
-        tracer_(cloud_, settings_, *film_, threadsOf(task, ranks), task.simd) {}
+        sums_(emptySums(task.measurement)),
+        tracer_(cloud_, chosenSettings(cloud_, loaded_.scene.trace), sums_->film(), threadsOf(task, ranks), task.simd) {
+  }
 
   void traceBlocks();
-  void collect() { collectFromRanks(ranks_, tracer_, *film_); }
+  void collect() { collectFromRanks(ranks_, tracer_, sums_->film()); }
 
  private:
-  std::unique_ptr<Film> filmOf(const Measurement& measurement);
+  std::unique_ptr<RunSums> emptySums(const Measurement& measurement) const;
   void ask(const TimedBlock& last) { ranks_.send(0, Ranks::Subject::request, textOf(last)); }
 
   Ranks& ranks_;
   LoadedScene loaded_;
   Cloud cloud_;
-  TraceSettings settings_;
-  std::optional<Tally> tally_;  // of a picture
-  std::unique_ptr<Film> film_;
+  std::unique_ptr<RunSums> sums_;
   Tracer tracer_;
 };
 
-std::unique_ptr<Film> RankWorker::filmOf(const Measurement& measurement) {
-  const Vec3 toSun = cloud_.sun().toCentre();
-  return std::visit(Overloaded{[&](const SkyMeasurement&) -> std::unique_ptr<Film> {
-                                 tally_ = emptyTally(loaded_, cloud_);
-                                 return makeFilm(*tally_, cloud_, settings_.symmetry);
-                               },
-                               [&](const MapMeasurement& map) -> std::unique_ptr<Film> {
-                                 return std::make_unique<SkyMap>(toSun, map.binsPerHalfTurn);
-                               },
-                               [&](const ProfileMeasurement& profile) -> std::unique_ptr<Film> {
-                                 return std::make_unique<ScatterProfile>(profile.bins, profile.from, profile.to);
-                               }},
-                    measurement);
+std::unique_ptr<RunSums> RankWorker::emptySums(const Measurement& measurement) const {
+  using Sums = std::unique_ptr<RunSums>;
+  return std::visit(
+      Overloaded{[&](const SkyMeasurement&) -> Sums { return std::make_unique<SkySums>(loaded_, cloud_); },
+                 [&](const MapMeasurement& map) -> Sums {
+                   return std::make_unique<MeasuredSums<MapTally>>(emptyMapTally(loaded_, cloud_, map.binsPerHalfTurn));
+                 },
+                 [&](const ProfileMeasurement& profile) -> Sums {
+                   return std::make_unique<MeasuredSums<ProfileTally>>(
+                       emptyProfileTally(loaded_, cloud_, profile.bins, profile.from, profile.to));
+                 }},
+      measurement);
 }
 
 /// Traces what rank 0 deals, until it deals no more. One block is always under way, so that none waits for it.
