@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/commands.h"
 
+#include "cli/memory_option.h"
+
 namespace parhelion::cli {
 
 void addCommands(CLI::App& app, int& exit, Tracers& tracers) {
@@ -15,7 +17,8 @@ void addCommands(CLI::App& app, int& exit, Tracers& tracers) {
   addReplay(app, exit);
   addInfo(app, exit);
   addCheck(app, exit);
-  addSchema(app, exit);
+  for (CLI::App* command : app.get_subcommands({})) addMemory(*command);
+  addSchema(app, exit);  // which reads nothing
 }
 
 }  // namespace parhelion::cli

@@ -20,6 +20,8 @@ namespace parhelion::cli {
 
 namespace {
 
+constexpr int kBytesForUse = 36;  // a pixel: sky, mask and the picture that is written
+
 struct CompositeOptions {
   std::string photo, output, mask, maskOutput, layers, white = "sun";
   HaloOptions halo;
@@ -106,7 +108,7 @@ int runComposite(const CompositeOptions& options) {
   const bool quiet = options.halo.run.quiet;
   requireFit(options.photo, Wanted::photograph);
   if (!options.mask.empty()) requireFit(options.mask, Wanted::photograph);
-  Photograph photograph = readPhotograph(options.photo, options.camera.rules());
+  Photograph photograph = readPhotograph(options.photo, options.camera.rules(kBytesForUse));
   const PhotoCamera camera = options.camera.camera(photograph, options.photo, options.halo.sunElevation());
   sayAll(camera.remarks, quiet);
 

@@ -7,6 +7,7 @@
 
 #include "cli/number_options.h"
 #include "math/number_text.h"
+#include "math/range.h"
 
 namespace parhelion::cli {
 
@@ -57,6 +58,17 @@ CLI::Validator duration(double least, double most, std::string also) {
         return expectedNot("a time from " + durationText(least) + " to " + durationText(most) +
                                " such as 90s, 10min, 2h or 1d" + (also.empty() ? "" : ", or " + also),
                            text);
+      },
+      "");
+}
+
+CLI::Validator durationInSeconds(double least, double most) {
+  const CLI::Validator check = duration(least, most);
+  return CLI::Validator(
+      [=](std::string& text) {
+        std::string complaint = check(text);
+        if (complaint.empty()) text = formatNumber(*secondsIn(text));
+        return complaint;
       },
       "");
 }

@@ -37,6 +37,18 @@ const char* wordFor(RunEnd end) {
   return "";
 }
 
+/// Throws CLI::ValidationError for the tally of something else. What is damaged or missing is for others to judge.
+void requireKind(const std::filesystem::path& path, TallyKind wanted) {
+  TallyKind found = wanted;
+  try {
+    found = tallyKindOf(path);
+  } catch (const std::runtime_error&) {
+  }
+  if (found == wanted) return;
+  throw CLI::ValidationError("--resume", path.string() + " is the tally of a " + std::string(nameOf(found)) +
+                                             ", not of a " + std::string(nameOf(wanted)));
+}
+
 std::string percent(double share) {
   char text[40];
   std::snprintf(text, sizeof text, "%.3g %%", 100.0 * share);
@@ -70,6 +82,7 @@ void LongRun::goOnFromTally() {
   for (const std::filesystem::path& path : {std::filesystem::path(file), previousOf(file)})
     if (const auto misfit = misfitOf(path, startOfFile(path), Wanted::tally))
       throw CLI::ValidationError("--resume", path.string() + " " + misfit->message);
+  requireKind(file, sums_.kind());
   try {
     const Resumed resumed = resumeFrom(file, sums_);
     for (const std::string& remark : resumed.remarks) tell("--resume: " + remark);

@@ -81,7 +81,7 @@ void LongRunOptions::addTo(CLI::App& command, Keeps keeps) {
       ->type_name("TALLY");
   command
       .add_option("--checkpoint", checkpoint,
-                  "How often to write " + wordsFor(keeps) +
+                  std::string("How often to write ") + wordsFor(keeps) +
                       " on the way, or none; every 10min in runs over 20min when left out, at most 1 % of the time")
       ->type_name("TIME")
       ->check(duration(1e-3, 1e9, "none"));

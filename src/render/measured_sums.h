@@ -25,6 +25,7 @@ class MeasuredSums : public RunSums {
   Film& film() override { return tally_.sums; }
   Measurement measurement() const override { return measurementOf(tally_); }
   TallyOrigin& origin() override { return tally_.origin; }
+  TallyKind kind() const override { return kindOf(tally_); }
   void read(const std::filesystem::path& path) override {
     Tally held = empty_, sum = empty_;
     readTally(path, held);

@@ -9,6 +9,7 @@
 #include "picture/transaction.h"
 #include "render/measurement.h"
 #include "sky/tally_info.h"
+#include "sky/tally_kind.h"
 #include "trace/cloud.h"
 #include "trace/film.h"
 
@@ -27,6 +28,8 @@ class RunSums {
 
   /// What they are made of. The rays are those that the film has got.
   virtual TallyOrigin& origin() = 0;
+
+  virtual TallyKind kind() const = 0;
 
   /// Takes the sums of a file in the place of these. Throws std::runtime_error "path: reason" where the file cannot be
   /// read or is damaged, and std::invalid_argument "path: reason" where it is of another scene, seed or kind.

@@ -16,6 +16,7 @@ class SkySums : public RunSums {
   Film& film() override;
   Measurement measurement() const override { return SkyMeasurement{}; }
   TallyOrigin& origin() override { return tally_.info; }
+  TallyKind kind() const override { return TallyKind::sky; }
   void read(const std::filesystem::path& path) override;
   void write(const Output& file) const override;
   std::unique_ptr<RunSums> empty() const override { return std::make_unique<SkySums>(loaded_, cloud_); }
