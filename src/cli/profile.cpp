@@ -12,6 +12,7 @@
 #include "cli/tables.h"
 #include "cli/text_output.h"
 #include "render/measured_sums.h"
+#include "render/measurements.h"
 
 namespace parhelion::cli {
 
