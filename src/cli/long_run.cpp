@@ -58,6 +58,16 @@ std::string percent(double share) {
 
 }  // namespace
 
+Transaction claimRun(Files files, const RunOptions& run, const LongRunOptions& longRun) {
+  const auto resumed = longRun.resume.empty() ? files.outputs.end() : std::ranges::find(files.outputs, longRun.resume);
+  if (resumed == files.outputs.end() || misfitOf(longRun.resume, startOfFile(longRun.resume), Wanted::tally))
+    return claimOutputs(files, run.overwrite);
+  files.outputs.erase(resumed);
+  Transaction outputs = claimOutputs(files, run.overwrite);
+  outputs.claim(longRun.resume);
+  return outputs;
+}
+
 LongRun::LongRun(LongRunTask task, RunSums& sums, const StopSignal& stop)
     : task_(std::move(task)),
       sums_(sums),
