@@ -17,7 +17,9 @@
 #include "cli/say.h"
 #include "cli/stats.h"
 #include "cli/trace_watch.h"
+#include "picture/exr.h"
 #include "picture/file_kind.h"
+#include "picture/picture_text.h"
 #include "trace/tracer.h"
 
 namespace parhelion::cli {
@@ -36,6 +38,18 @@ const char* wordFor(RunEnd end) {
       return "error";
   }
   return "";
+}
+
+/// Throws CLI::ValidationError for what is no tally. An EXR that does not tell what it is may be a damaged one.
+void requireTally(const std::filesystem::path& path) {
+  const std::optional<Misfit> misfit = misfitOf(path, startOfFile(path), Wanted::tally);
+  if (!misfit) return;
+  try {
+    if (isExr(path)) readPictureText(path);
+  } catch (const std::runtime_error&) {
+    return;
+  }
+  throw CLI::ValidationError("--resume", path.string() + " " + misfit->message);
 }
 
 /// Throws CLI::ValidationError for the tally of something else. What is damaged or missing is for others to judge.
@@ -59,12 +73,14 @@ std::string percent(double share) {
 }  // namespace
 
 Transaction claimRun(Files files, const RunOptions& run, const LongRunOptions& longRun) {
+  if (!longRun.resume.empty())
+    for (const std::filesystem::path& path : {std::filesystem::path(longRun.resume), previousOf(longRun.resume)})
+      requireTally(path);
   const auto resumed = longRun.resume.empty() ? files.outputs.end() : std::ranges::find(files.outputs, longRun.resume);
-  if (resumed == files.outputs.end() || misfitOf(longRun.resume, startOfFile(longRun.resume), Wanted::tally))
-    return claimOutputs(files, run.overwrite);
-  files.outputs.erase(resumed);
+  const bool isOutput = resumed != files.outputs.end();
+  if (isOutput) files.outputs.erase(resumed);
   Transaction outputs = claimOutputs(files, run.overwrite);
-  outputs.claim(longRun.resume);
+  if (isOutput) outputs.claim(longRun.resume);
   return outputs;
 }
 
@@ -89,9 +105,6 @@ void LongRun::trace() {
 
 void LongRun::goOnFromTally() {
   const std::string& file = task_.longRun.resume;
-  for (const std::filesystem::path& path : {std::filesystem::path(file), previousOf(file)})
-    if (const auto misfit = misfitOf(path, startOfFile(path), Wanted::tally))
-      throw CLI::ValidationError("--resume", path.string() + " " + misfit->message);
   requireKind(file, sums_.kind());
   try {
     const Resumed resumed = resumeFrom(file, sums_);
