@@ -17,6 +17,7 @@
 #include "cli/say.h"
 #include "cli/stats.h"
 #include "cli/trace_watch.h"
+#include "picture/exr.h"
 #include "picture/file_kind.h"
 
 namespace parhelion::cli {
@@ -35,6 +36,18 @@ const char* wordFor(RunEnd end) {
       return "error";
   }
   return "";
+}
+
+/// Throws CLI::ValidationError for what is no tally. An EXR that does not tell what it is may be a damaged one.
+void requireTally(const std::filesystem::path& path) {
+  const std::optional<Misfit> misfit = misfitOf(path, startOfFile(path), Wanted::tally);
+  if (!misfit) return;
+  try {
+    if (isExr(path)) readPictureText(path);
+  } catch (const std::runtime_error&) {
+    return;
+  }
+  throw CLI::ValidationError("--resume", path.string() + " " + misfit->message);
 }
 
 /// Throws CLI::ValidationError for the tally of something else. What is damaged or missing is for others to judge.
@@ -56,6 +69,18 @@ std::string percent(double share) {
 }
 
 }  // namespace
+
+Transaction claimRun(Files files, const RunOptions& run, const LongRunOptions& longRun) {
+  if (!longRun.resume.empty())
+    for (const std::filesystem::path& path : {std::filesystem::path(longRun.resume), previousOf(longRun.resume)})
+      requireTally(path);
+  const auto resumed = longRun.resume.empty() ? files.outputs.end() : std::ranges::find(files.outputs, longRun.resume);
+  const bool isOutput = resumed != files.outputs.end();
+  if (isOutput) files.outputs.erase(resumed);
+  Transaction outputs = claimOutputs(files, run.overwrite);
+  if (isOutput) outputs.claim(longRun.resume);
+  return outputs;
+}
 
 LongRun::LongRun(LongRunTask task, RunSums& sums, const StopSignal& stop)
     : task_(std::move(task)),
@@ -79,9 +104,6 @@ void LongRun::trace() {
 
 void LongRun::goOnFromTally() {
   const std::string& file = task_.longRun.resume;
-  for (const std::filesystem::path& path : {std::filesystem::path(file), previousOf(file)})
-    if (const auto misfit = misfitOf(path, startOfFile(path), Wanted::tally))
-      throw CLI::ValidationError("--resume", path.string() + " " + misfit->message);
   requireKind(file, sums_.kind());
   try {
     const Resumed resumed = resumeFrom(file, sums_);

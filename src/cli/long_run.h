@@ -7,6 +7,7 @@
 #include <string>
 
 #include "cli/long_run_options.h"
+#include "cli/outputs.h"
 #include "cli/progress.h"
 #include "cli/run_options.h"
 #include "cli/stop_signal.h"
@@ -15,6 +16,10 @@
 #include "render/tracing_run.h"
 
 namespace parhelion::cli {
+
+/// The outputs of a long run, claimed as claimOutputs() does. A file that is gone on from may be a damaged tally, in
+/// which nobody sees who wrote it: it is replaced only if there is an undamaged one before it to go on from.
+Transaction claimRun(Files files, const RunOptions& run, const LongRunOptions& longRun);
 
 /// What a long run is about.
 struct LongRunTask {

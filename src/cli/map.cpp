@@ -47,7 +47,7 @@ int runMap(const MapOptions& options, int binsPerHalfTurn, Tracers& tracers) {
   const RayRange wanted = options.longRun.wanted(settings.rays, cloud.bundleSize(), options.run);
   const std::string tally = options.longRun.tallyFile();
   Transaction outputs =
-      claimOutputs({{options.run.scene}, {options.output, tally, options.run.stats}}, options.run.overwrite);
+      claimRun({{options.run.scene}, {options.output, tally, options.run.stats}}, options.run, options.longRun);
   const StopSignal stop;
   MeasuredSums<MapTally> sums(emptyMapTally(loaded, cloud, binsPerHalfTurn));
   LongRun run({tracers, options.run, options.longRun, cloud, settings, wanted, tally, {}}, sums, stop);

@@ -62,8 +62,8 @@ int runProfile(const ProfileOptions& options, Tracers& tracers) {
   const TraceSettings settings = settingsOfMeasurement(cloud, loaded.scene.trace);
   const RayRange wanted = options.longRun.wanted(settings.rays, cloud.bundleSize(), options.run);
   const std::string tally = options.longRun.tallyFile();
-  Transaction outputs = claimOutputs({{options.run.scene}, {options.output, options.summary, tally, options.run.stats}},
-                                     options.run.overwrite);
+  Transaction outputs = claimRun({{options.run.scene}, {options.output, options.summary, tally, options.run.stats}},
+                                 options.run, options.longRun);
   const StopSignal stop;
   MeasuredSums<ProfileTally> sums(
       emptyProfileTally(loaded, cloud, options.bins, radians(options.from), radians(options.to)));

@@ -71,8 +71,8 @@ int runRender(const RenderOptions& options, Tracers& tracers) {
   const RayRange wanted = options.longRun.wanted(settings.rays, cloud.bundleSize(), options.run);
   const std::filesystem::path checkpoint = tallyOf(files);
   Transaction outputs = claimOutputs({{scene}, {files.exr, files.png, options.run.stats}}, options.run.overwrite);
-  Transaction tally =
-      claimOutputs({{scene}, {options.longRun.leavesCheckpoint() ? checkpoint : ""}}, options.run.overwrite);
+  Transaction tally = claimRun({{scene}, {options.longRun.leavesCheckpoint() ? checkpoint.string() : ""}}, options.run,
+                               options.longRun);
   // Also while the picture is made, so that a late Ctrl-C does not lose what was traced.
   const StopSignal stop;
   SkySums sums(loaded, cloud);

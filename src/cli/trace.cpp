@@ -25,7 +25,7 @@ int runTrace(const TraceOptions& options, Tracers& tracers) {
   const Cloud cloud = cloudOf(loaded.scene);
   const TraceSettings settings = chosenSettings(cloud, loaded.scene.trace);
   const RayRange wanted = options.longRun.wanted(settings.rays, cloud.bundleSize(), options.run);
-  Transaction outputs = claimOutputs({{options.run.scene}, {output, options.run.stats}}, options.run.overwrite);
+  Transaction outputs = claimRun({{options.run.scene}, {output, options.run.stats}}, options.run, options.longRun);
   const StopSignal stop;
   SkySums sums(loaded, cloud);
   const std::string checkpoint = isStream(output) ? "" : output;

@@ -56,6 +56,11 @@ inline std::string inBackground(const std::string& arguments, const std::string&
   return "{ '" PARHELION_BINARY "' " + arguments + " & pid=$!; " + then + " ; wait $pid; }";
 }
 
+/// Waits until the program heeds signals, or has ended: the handler of SIGUSR1, the tenth bit, is set last.
+inline const std::string kUntilReady =
+    "while kill -0 $pid 2>/dev/null && ! grep -q 'SigCgt:.*[2367abef][0-9a-f][0-9a-f]$' /proc/$pid/status; do sleep "
+    "0.01; done";
+
 /// Waits until a file is there, or the program has ended.
 inline std::string until(const std::string& file) {
   return "while kill -0 $pid 2>/dev/null && ! [ -s " + file + " ]; do sleep 0.01; done";

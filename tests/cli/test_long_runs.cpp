@@ -114,7 +114,7 @@ TEST_CASE("a tally of another run is refused with the reason, and stays as it is
                          {"trace plain.toml --resolution 32x32 --resume t.exr", "t.exr"},
                          {"trace mirror.toml --resume t.exr", "t.exr"},
                          {"trace plain.toml --resume picture.exr", "not a tally"},
-                         {"trace plain.toml --resume plain.toml", "not a tally"},
+                         {"trace mirror.toml --resume plain.toml", "not a tally"},
                          {"trace plain.toml --slice 4/3 -o o.exr", "--slice"},
                          {"trace plain.toml --slice 0/3 -o o.exr", "--slice"},
                          {"trace plain.toml --slice nan/3 -o o.exr", "--slice"},
@@ -129,8 +129,8 @@ TEST_CASE("a tally of another run is refused with the reason, and stays as it is
                          {"trace plain.toml --checkpoint -1s -o o.exr", "--checkpoint"},
                          {"trace plain.toml", "--resume"}}) {
     const Outcome outcome = run(folder, std::string("parhelion ") + command);
-    CHECK_MESSAGE(outcome.exit == 2, command << " said " << outcome.err);
-    CHECK_MESSAGE(outcome.err.find(says) != std::string::npos, command << " said " << outcome.err);
+    CHECK_MESSAGE(outcome.exit == 2, std::string(command) << " said " << outcome.err);
+    CHECK_MESSAGE(outcome.err.find(says) != std::string::npos, std::string(command) << " said " << outcome.err);
   }
   CHECK(isSame(folder, "t.exr", "before.exr"));
   CHECK_FALSE(std::filesystem::exists(folder / "o.exr"));

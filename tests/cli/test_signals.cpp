@@ -43,11 +43,11 @@ TEST_CASE("HUP leaves the checkpoint of a render and no picture, TERM both") {
   CHECK(run(folder, "parhelion recon b.tally.exr --quiet -o c.exr").exit == 0);
   // Also where nobody has thought of checkpoints: what was traced can be gone on from.
   const Outcome plain =
-      run(folder, inBackground("render mirror.toml -o d.exr --rays 20G 2> err", until("err") + "; kill -TERM $pid"));
+      run(folder, inBackground("render mirror.toml -o d.exr --rays 20G", kUntilReady + "; kill -TERM $pid"));
   CHECK(plain.exit == 75);
   CHECK(std::filesystem::exists(folder / "d.tally.exr"));
-  const Outcome none = run(folder, inBackground("render mirror.toml -o e.exr --rays 20G --checkpoint none 2> e",
-                                                until("e") + "; kill -HUP $pid"));
+  const Outcome none = run(folder, inBackground("render mirror.toml -o e.exr --rays 20G --checkpoint none",
+                                                kUntilReady + "; kill -HUP $pid"));
   CHECK(none.exit == 75);
   CHECK(std::filesystem::exists(folder / "e.exr"));
   CHECK_FALSE(std::filesystem::exists(folder / "e.tally.exr"));
@@ -57,7 +57,7 @@ TEST_CASE("nohup keeps a run from HUP, and USR1 writes a checkpoint of a run tha
   const LongRuns folder;
   const Outcome outcome = run(folder, "{ nohup '" PARHELION_BINARY
                                       "' trace plain.toml -o t.exr --rays 20G --checkpoint 1h 2> err & pid=$!; " +
-                                          until("err") + "; kill -HUP $pid; kill -USR1 $pid; " + until("t.exr") +
+                                          kUntilReady + "; kill -HUP $pid; kill -USR1 $pid; " + until("t.exr") +
                                           "; kill -0 $pid || exit 9; cp t.exr c.exr; kill -TERM $pid; wait $pid; }");
   CHECK_MESSAGE(outcome.exit == 75, outcome.err);
   CHECK(readFile(folder / "err").find("checkpoint: ") != std::string::npos);
@@ -68,8 +68,8 @@ TEST_CASE("a second signal ends the program at once") {
   const LongRuns folder;
   // Between the two signals the large picture is being made, which takes much longer than a moment.
   const Outcome outcome =
-      run(folder, inBackground("render plain.toml --resolution 3000x3000 -o big.exr --rays 20G 2> err",
-                               until("err") + "; kill -TERM $pid; sleep 0.3; kill -INT $pid 2>/dev/null"));
+      run(folder, inBackground("render plain.toml --resolution 3000x3000 -o big.exr --rays 20G",
+                               kUntilReady + "; kill -TERM $pid; sleep 0.3; kill -INT $pid 2>/dev/null"));
   CHECK(outcome.exit == 130);
   CHECK_FALSE(std::filesystem::exists(folder / "big.exr"));
 }
