@@ -19,6 +19,7 @@
 #include "cli/trace_watch.h"
 #include "picture/exr.h"
 #include "picture/file_kind.h"
+#include "picture/picture_text.h"
 
 namespace parhelion::cli {
 
