@@ -72,9 +72,7 @@ std::string percent(double share) {
 }  // namespace
 
 Transaction claimRun(Files files, const RunOptions& run, const LongRunOptions& longRun) {
-  if (!longRun.resume.empty())
-    for (const std::filesystem::path& path : {std::filesystem::path(longRun.resume), previousOf(longRun.resume)})
-      requireTally(path);
+  if (!longRun.resume.empty()) requireTally(longRun.resume);
   const auto resumed = longRun.resume.empty() ? files.outputs.end() : std::ranges::find(files.outputs, longRun.resume);
   const bool isOutput = resumed != files.outputs.end();
   if (isOutput) files.outputs.erase(resumed);

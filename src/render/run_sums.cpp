@@ -11,6 +11,16 @@ namespace parhelion {
 
 namespace {
 
+/// Whether a file is a tally, by its header.
+bool isTally(const std::filesystem::path& path) {
+  try {
+    tallyKindOf(path);
+    return true;
+  } catch (const std::runtime_error&) {
+    return false;
+  }
+}
+
 void readFrom(const std::filesystem::path& path, RunSums& sums, Resumed& resumed) {
   sums.read(path);
   resumed.from = path;
@@ -26,7 +36,7 @@ std::filesystem::path previousOf(const std::filesystem::path& checkpoint) {
 void keepPrevious(const std::filesystem::path& checkpoint) {
   const std::filesystem::path file = followLinks(checkpoint), previous = previousOf(checkpoint);
   std::error_code none;  // where it cannot be kept, the file itself is still there
-  if (!std::filesystem::is_regular_file(file, none)) return;
+  if (!std::filesystem::is_regular_file(file, none) || !isTally(file)) return;
   std::filesystem::remove(previous, none);
   std::filesystem::create_hard_link(file, previous, none);
   if (none) std::filesystem::rename(file, previous, none);  // on file systems without such links

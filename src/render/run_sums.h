@@ -48,8 +48,8 @@ class RunSums {
 /// The file in which the checkpoint before the last one is kept: NAME.previous beside NAME.
 std::filesystem::path previousOf(const std::filesystem::path& checkpoint);
 
-/// Keeps a file, if it is there, as previousOf() it, in the place of what that was. To be called when what replaces the
-/// file is complete and on the disk: whenever the process is killed, one of the two can be read.
+/// Keeps a tally, if there is one, as previousOf() it, in the place of what that was. To be called when what replaces
+/// the file is complete and on the disk: whenever the process is killed, one of the two can be read.
 void keepPrevious(const std::filesystem::path& checkpoint);
 
 /// Writes a checkpoint. The one before is kept as previousOf() if `keepsBefore`. Throws std::runtime_error

@@ -69,9 +69,9 @@ class CommandLine {
 
 /// Options that take any text: names of files and folders, keys of scenes. Their own readers judge them.
 inline bool takesAnyText(const Asked& asked) {
-  static const std::set<std::string> kNames{"",          "-o",        "--output", "--stats",  "--scene",
-                                            "--halo",    "--mask",    "--layers", "--beside", "--minus",
-                                            "--profile", "--summary", "-D",       "--compare"};
+  static const std::set<std::string> kNames{"",       "-o",        "--output", "--stats", "--scene",   "--halo",
+                                            "--mask", "--layers",  "--beside", "--minus", "--profile", "--summary",
+                                            "-D",     "--compare", "--resume", "--tally", "--slice"};
   return kNames.contains(asked.option);
 }
 
