@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/commands.h"
+#include "cli/long_run.h"
 #include "cli/number_options.h"
 #include "cli/outputs.h"
 #include "cli/run_options.h"
@@ -11,7 +12,7 @@
 #include "cli/tables.h"
 #include "cli/tally_input.h"
 #include "cli/text_output.h"
-#include "cli/trace_watch.h"
+#include "render/measured_sums.h"
 #include "render/measured_tally.h"
 #include "render/measurements.h"
 
@@ -21,6 +22,7 @@ namespace {
 
 struct ProfileOptions {
   RunOptions run;
+  LongRunOptions longRun;
   int bins = 1800;
   double from = 0.0, to = 180.0;  // degrees
   std::string output = "-", summary;
@@ -56,19 +58,28 @@ nlohmann::ordered_json json(const ScatterProfile::Summary& s) {
   return json;
 }
 
-int runProfile(const ProfileOptions& options) {
-  const Scene scene = options.run.load().scene;
-  Transaction outputs =
-      claimOutputs({{options.run.scene}, {options.output, options.summary, options.run.stats}}, options.run.overwrite);
+int runProfile(const ProfileOptions& options, Tracers& tracers) {
+  const LoadedScene loaded = options.run.load();
+  const Cloud cloud = cloudOf(loaded.scene);
+  const TraceSettings settings = settingsOfMeasurement(cloud, loaded.scene.trace);
+  const RayRange wanted = options.longRun.wanted(settings.rays, cloud.bundleSize(), options.run);
+  const std::string tally = options.longRun.tallyFile();
+  Transaction outputs = claimRun({{options.run.scene}, {options.output, options.summary, tally, options.run.stats}},
+                                 options.run, options.longRun);
   const StopSignal stop;
-  TraceWatch watch(options.run, scene.trace.rays, stop);
-  const TracedProfile traced =
-      traceProfile(scene, options.bins, radians(options.from), radians(options.to), watch.control());
-  const int exit = watch.report(traced, outputs);
-  writeText(outputs.at(options.output), csv(traced.profile));
-  if (!options.summary.empty()) writeJson(outputs.at(options.summary), json(traced.profile.summary()));
+  MeasuredSums<ProfileTally> sums(
+      emptyProfileTally(loaded, cloud, options.bins, radians(options.from), radians(options.to)));
+  LongRun run({tracers, options.run, options.longRun, cloud, settings, wanted, tally, {}}, sums, stop);
+  run.trace();
+  run.report(outputs);
+  if (!tally.empty()) run.writeSums(outputs.at(tally));
+  if (!run.endsWithoutPicture()) {
+    const ScatterProfile& profile = sums.tally().sums;
+    writeText(outputs.at(options.output), csv(profile));
+    if (!options.summary.empty()) writeJson(outputs.at(options.summary), json(profile.summary()));
+  }
   outputs.commit();
-  return exit;
+  return run.exitCode();
 }
 
 /// The table of a tally that was traced before.
@@ -84,12 +95,13 @@ int profileOfTally(const ProfileOptions& options) {
 
 }  // namespace
 
-void addProfile(CLI::App& app, int& exit) {
+void addProfile(CLI::App& app, int& exit, Tracers& tracers) {
   auto options = std::make_shared<ProfileOptions>();
   CLI::App* command = app.add_subcommand(
       "profile",
       "Light over the scattering angle, from each ray's own point of the sun, as CSV, and what follows from it");
   options->run.addTo(*command, false);
+  options->longRun.addTo(*command, LongRunOptions::Keeps::tallyByName);
   command->add_option("--bins", options->bins, "Equal bins between --from and --to")
       ->transform(wholeNumber(1, 10'000'000));
   command->add_option("--from", options->from, "First scattering angle, degrees")->transform(number(0.0, 180.0));
@@ -97,7 +109,7 @@ void addProfile(CLI::App& app, int& exit) {
   command->add_option("-o,--output", options->output, "CSV file; - for stdout")->type_name("FILE");
   command->add_option("--summary", options->summary, "JSON file of g, delta fraction, energy by order, mean path ...")
       ->type_name("FILE");
-  command->callback([options, command, &exit] {
+  command->callback([options, command, &exit, &tracers] {
     if (isMeasuredTally(options->run.scene)) {
       for (const char* bins : {"--bins", "--from", "--to"})
         if (command->count(bins) > 0) throw Unfit(bins + std::string(": the bins of a tally are what they are"));
@@ -105,7 +117,7 @@ void addProfile(CLI::App& app, int& exit) {
       return;
     }
     if (!(options->from < options->to)) throw CLI::ValidationError("--from must be less than --to");
-    exit = runProfile(*options);
+    exit = runProfile(*options, tracers);
   });
 }
 

@@ -28,10 +28,10 @@ namespace {
 // More than the largest tally: 6 parts of kMaxImagePixels 64-bit integers.
 constexpr std::uint64_t kMostSpooled = std::uint64_t{1} << 34;
 
-std::string shownName(const std::string& name) { return name == "-" ? "stdin" : name; }
+std::string tallyName(const std::string& name) { return name == "-" ? "stdin" : name; }
 
 [[noreturn]] void fail(const std::string& name, const std::string& reason) {
-  throw std::runtime_error(shownName(name) + ": " + reason);
+  throw std::runtime_error(tallyName(name) + ": " + reason);
 }
 
 }  // namespace
@@ -65,7 +65,7 @@ TallyInputs::TallyInputs(std::span<const std::string> names) {
       continue;
     }
     spooled_.push_back(spooled(name));
-    files_.push_back({"/proc/self/fd/" + std::to_string(::fileno(spooled_.back().get())), shownName(name)});
+    files_.push_back({"/proc/self/fd/" + std::to_string(::fileno(spooled_.back().get())), tallyName(name)});
   }
 }
 

@@ -29,9 +29,6 @@ constexpr const char* kTotalPrefix = "total.";
 enum Part : std::size_t { kLight, kSquaresHigh, kSquaresLow, kParts };
 constexpr std::array<const char*, kParts> kPartNames{"light", "light.squares.high", "light.squares.low"};
 
-TallyKind kindOf(const MapTally&) { return TallyKind::map; }
-TallyKind kindOf(const ProfileTally&) { return TallyKind::profile; }
-
 /// What the bins are, as attributes.
 ExrAttributes binsText(const MapTally& tally) {
   return {{"map.binsPerHalfTurn", textOfNumber(tally.sums.binsPerHalfTurn())},

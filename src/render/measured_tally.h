@@ -6,6 +6,7 @@
 #include "picture/transaction.h"
 #include "render/traced_sky.h"
 #include "sky/tally_info.h"
+#include "sky/tally_kind.h"
 #include "trace/scatter_profile.h"
 #include "trace/sky_map.h"
 
@@ -24,6 +25,9 @@ struct ProfileTally {
   TallyOrigin origin;
   ScatterProfile sums;
 };
+
+inline TallyKind kindOf(const MapTally&) { return TallyKind::map; }
+inline TallyKind kindOf(const ProfileTally&) { return TallyKind::profile; }
 
 /// With all that is known before the rays of a scene are traced by this version of the program. `cloud` is the scene's.
 MapTally emptyMapTally(const LoadedScene& loaded, const Cloud& cloud, int binsPerHalfTurn);

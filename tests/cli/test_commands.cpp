@@ -76,7 +76,7 @@ TEST_CASE("a tally reconstructed from disk is the picture that render makes at o
   CHECK(run(folder, "parhelion recon t.exr").exit == 0);
   CHECK(std::filesystem::exists(folder / "t-sky.png"));
   CHECK(run(folder, "parhelion recon t.exr -o t.exr").exit == 2);
-  CHECK(run(folder, "parhelion recon a.exr -o c.exr").exit == 1);
+  CHECK(run(folder, "parhelion recon a.exr -o c.exr").exit == 2);
   CHECK(readFile(folder / "t.exr") == before);
 }
 
@@ -235,7 +235,7 @@ TEST_CASE("mistakes on the command line are one clear complaint and exit 2") {
       {"parhelion render s.toml --engine embre", "did you mean 'embree'"},
       {"parhelion render s.toml --engine plane", "did you mean 'planes'"},
       {"parhelion render s.toml --exposure nan", "expected a number"},
-      {"parhelion render s.toml --time 0", "expected a number"},
+      {"parhelion render s.toml --time 0", "expected a time"},
       {"parhelion render s.toml -o sky.jpg", ".exr"},
       {"parhelion profile s.toml -o s.toml", "written over"},
       {"parhelion profile s.toml -o a.csv --summary ./a.csv", "written over"},
