@@ -20,7 +20,6 @@
 #include "picture/exr.h"
 #include "picture/file_kind.h"
 #include "picture/picture_text.h"
-#include "trace/tracer.h"
 
 namespace parhelion::cli {
 
@@ -96,8 +95,9 @@ void LongRun::trace() {
   heldBefore_ = task_.wanted.count - countOf(missing);
   if (task_.longRun.isPart() || !task_.longRun.resume.empty()) sayWhatIsMissing(missing);
   Film& film = sums_.film();
-  Tracer tracer(task_.cloud, task_.settings, film, task_.run.threads, valueOf<Simd>(task_.run.simd));
-  report_ = traceRun(tracer, film, sums_.origin().rays, missing, task_.cloud.bundleSize(), control());
+  const std::unique_ptr<RayTracer> tracer =
+      task_.tracers.make(task_.cloud, task_.settings, sums_, task_.run.threads, valueOf<Simd>(task_.run.simd));
+  report_ = traceRun(*tracer, film, sums_.origin().rays, missing, task_.cloud.bundleSize(), control());
   progress_.finish();
 }
 
@@ -144,6 +144,7 @@ std::optional<double> LongRun::measureError() {
 }
 
 void LongRun::showProgress(std::uint64_t done, double seconds) {
+  if (stop_.requested() && task_.tracers.processes() > 1) tellOfLosses();
   const double goal = task_.longRun.goal(), all = static_cast<double>(heldBefore_ + done);
   double share = all / static_cast<double>(task_.wanted.count);
   // The error falls with the root of the rays.
@@ -166,6 +167,7 @@ void LongRun::checkpointOnTheWay() {
   if (task_.checkpoint.empty()) return tell("SIGUSR1: there is no file for a checkpoint");
   if (!tryCheckpoint()) return;
   wroteCheckpoint_ = true;
+  raysOnDisk_ = sums_.origin().rayCount();
   const Readable rays = readable(static_cast<double>(sums_.origin().rayCount()));
   char text[64];
   std::snprintf(text, sizeof text, "checkpoint: %.4g%s rays in ", rays.value, rays.suffix);
@@ -211,6 +213,10 @@ void LongRun::report(Transaction& outputs) const {
   json["rays_held"] = held;
   json["ray_ranges"] = nlohmann::ordered_json::array();
   for (const RayRange& range : sums_.origin().rays) json["ray_ranges"].push_back({range.first, range.end()});
+  if (task_.tracers.processes() > 1) {
+    json["ranks"] = task_.tracers.processes();
+    json["bytes_reduced"] = task_.tracers.bytesReduced();
+  }
   json["ended_by"] = wordFor(report_.end);
   if (report_.error) json["error"] = *report_.error;
   writeJson(outputs.at(task_.run.stats), json);
@@ -227,6 +233,18 @@ void LongRun::writeSums(const Output& output) {
 int LongRun::exitCode() const {
   if (failed_) return kRunTimeFailure;
   return report_.end == RunEnd::stopped || endsWithoutPicture() ? kInterrupted : kDone;
+}
+
+/// What ends a run of many processes may be the loss of one, which takes the others' light with it, and this process
+/// very soon.
+void LongRun::tellOfLosses() {
+  if (std::exchange(toldOfLosses_, true)) return;
+  const std::string file = task_.checkpoint.string();
+  if (raysOnDisk_ > 0)
+    say("stopping; if a rank is lost, %s holds %" PRIu64 " rays, and --resume %s goes on from them", file.c_str(),
+        raysOnDisk_, file.c_str());
+  else
+    say("stopping; if a rank is lost, nothing of this run is on disk: there was no checkpoint yet");
 }
 
 void LongRun::tell(const std::string& text) {

@@ -12,7 +12,7 @@
 #include "cli/run_options.h"
 #include "cli/stop_signal.h"
 #include "picture/transaction.h"
-#include "render/run_sums.h"
+#include "render/tracers.h"
 #include "render/tracing_run.h"
 
 namespace parhelion::cli {
@@ -23,6 +23,7 @@ Transaction claimRun(Files files, const RunOptions& run, const LongRunOptions& l
 
 /// What a long run is about.
 struct LongRunTask {
+  Tracers& tracers;
   const RunOptions& run;
   const LongRunOptions& longRun;
   const Cloud& cloud;
@@ -71,6 +72,7 @@ class LongRun {
   void checkpointOnTheWay();
   bool tryCheckpoint();
   void tell(const std::string& text);
+  void tellOfLosses();
 
   LongRunTask task_;
   RunSums& sums_;
@@ -81,6 +83,8 @@ class LongRun {
   std::optional<double> error_;   // as measured last
   bool keepsPrevious_ = true;     // false as long as the checkpoint itself is the damaged one
   bool wroteCheckpoint_ = false, isSaved_ = false, failed_ = false;
+  bool toldOfLosses_ = false;
+  std::uint64_t raysOnDisk_ = 0;  // in the checkpoint that this run wrote last
 };
 
 }  // namespace parhelion::cli

@@ -40,7 +40,7 @@ std::string csv(const SkyMap& map) {
   return text;
 }
 
-int runMap(const MapOptions& options, int binsPerHalfTurn) {
+int runMap(const MapOptions& options, int binsPerHalfTurn, Tracers& tracers) {
   const LoadedScene loaded = options.run.load();
   const Cloud cloud = cloudOf(loaded.scene);
   const TraceSettings settings = settingsOfMeasurement(cloud, loaded.scene.trace);
@@ -50,7 +50,7 @@ int runMap(const MapOptions& options, int binsPerHalfTurn) {
       claimRun({{options.run.scene}, {options.output, tally, options.run.stats}}, options.run, options.longRun);
   const StopSignal stop;
   MeasuredSums<MapTally> sums(emptyMapTally(loaded, cloud, binsPerHalfTurn));
-  LongRun run({options.run, options.longRun, cloud, settings, wanted, tally, {}}, sums, stop);
+  LongRun run({tracers, options.run, options.longRun, cloud, settings, wanted, tally, {}}, sums, stop);
   run.trace();
   run.report(outputs);
   if (!tally.empty()) run.writeSums(outputs.at(tally));
@@ -67,7 +67,7 @@ int runMap(const MapOptions& options, int binsPerHalfTurn) {
 
 }  // namespace
 
-void addMap(CLI::App& app, int& exit) {
+void addMap(CLI::App& app, int& exit, Tracers& tracers) {
   auto options = std::make_shared<MapOptions>();
   CLI::App* command = app.add_subcommand("map", "Light over azimuth and elevation of the whole sphere, as CSV or EXR");
   options->run.addTo(*command, false);
@@ -76,12 +76,12 @@ void addMap(CLI::App& app, int& exit) {
       ->transform(number(0.01, 90.0));
   command->add_option("-o,--output", options->output, "CSV file, or EXR by its name; - for CSV on stdout")
       ->type_name("FILE");
-  command->callback([options, &exit] {
+  command->callback([options, &exit, &tracers] {
     constexpr double kRounding = 1e-9;  // relative; steps such as 0.1 are not exact in binary
     const double rows = 90.0 / options->step;
     if (std::abs(rows - std::round(rows)) > kRounding * rows)
       throw CLI::ValidationError("--step must divide 90 degrees evenly");
-    exit = runMap(*options, 2 * static_cast<int>(std::round(rows)));
+    exit = runMap(*options, 2 * static_cast<int>(std::round(rows)), tracers);
   });
 }
 

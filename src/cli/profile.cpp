@@ -56,7 +56,7 @@ nlohmann::ordered_json json(const ScatterProfile::Summary& s) {
   return json;
 }
 
-int runProfile(const ProfileOptions& options) {
+int runProfile(const ProfileOptions& options, Tracers& tracers) {
   const LoadedScene loaded = options.run.load();
   const Cloud cloud = cloudOf(loaded.scene);
   const TraceSettings settings = settingsOfMeasurement(cloud, loaded.scene.trace);
@@ -67,7 +67,7 @@ int runProfile(const ProfileOptions& options) {
   const StopSignal stop;
   MeasuredSums<ProfileTally> sums(
       emptyProfileTally(loaded, cloud, options.bins, radians(options.from), radians(options.to)));
-  LongRun run({options.run, options.longRun, cloud, settings, wanted, tally, {}}, sums, stop);
+  LongRun run({tracers, options.run, options.longRun, cloud, settings, wanted, tally, {}}, sums, stop);
   run.trace();
   run.report(outputs);
   if (!tally.empty()) run.writeSums(outputs.at(tally));
@@ -82,7 +82,7 @@ int runProfile(const ProfileOptions& options) {
 
 }  // namespace
 
-void addProfile(CLI::App& app, int& exit) {
+void addProfile(CLI::App& app, int& exit, Tracers& tracers) {
   auto options = std::make_shared<ProfileOptions>();
   CLI::App* command = app.add_subcommand(
       "profile",
@@ -96,9 +96,9 @@ void addProfile(CLI::App& app, int& exit) {
   command->add_option("-o,--output", options->output, "CSV file; - for stdout")->type_name("FILE");
   command->add_option("--summary", options->summary, "JSON file of g, delta fraction, energy by order, mean path ...")
       ->type_name("FILE");
-  command->callback([options, &exit] {
+  command->callback([options, &exit, &tracers] {
     if (!(options->from < options->to)) throw CLI::ValidationError("--from must be less than --to");
-    exit = runProfile(*options);
+    exit = runProfile(*options, tracers);
   });
 }
 

@@ -62,7 +62,7 @@ std::filesystem::path tallyOf(const SkyFiles& files) {
   return tally.replace_extension(".tally.exr");
 }
 
-int runRender(const RenderOptions& options) {
+int runRender(const RenderOptions& options, Tracers& tracers) {
   const LoadedScene loaded = options.run.load();
   const std::string& scene = options.run.scene;
   SkyFiles files = options.picture.files(scene);
@@ -77,7 +77,7 @@ int runRender(const RenderOptions& options) {
   const StopSignal stop;
   SkySums sums(loaded, cloud);
   Development picture(sums.tally(), loaded, options.run.threads);
-  LongRun run({options.run, options.longRun, cloud, settings, wanted, checkpoint,
+  LongRun run({tracers, options.run, options.longRun, cloud, settings, wanted, checkpoint,
                [&] { return picture.error(stop.requested()); }},
               sums, stop);
   run.trace();
@@ -94,13 +94,13 @@ int runRender(const RenderOptions& options) {
 
 }  // namespace
 
-void addRender(CLI::App& app, int& exit) {
+void addRender(CLI::App& app, int& exit, Tracers& tracers) {
   auto options = std::make_shared<RenderOptions>();
   CLI::App* command = app.add_subcommand("render", "Render a scene to a linear EXR and a PNG preview beside it");
   options->run.addTo(*command, true);
   options->longRun.addTo(*command, LongRunOptions::Keeps::tallyBeside);
   options->picture.addTo(*command);
-  command->callback([options, &exit] { exit = runRender(*options); });
+  command->callback([options, &exit, &tracers] { exit = runRender(*options, tracers); });
 }
 
 }  // namespace parhelion::cli

@@ -18,7 +18,7 @@ struct TraceOptions {
   std::string output;  // empty: the tally that is gone on from
 };
 
-int runTrace(const TraceOptions& options) {
+int runTrace(const TraceOptions& options, Tracers& tracers) {
   const std::string& output = options.output.empty() ? options.longRun.resume : options.output;
   if (output.empty()) throw CLI::RequiredError("-o FILE, or --resume FILE,");
   const LoadedScene loaded = options.run.load();
@@ -29,7 +29,7 @@ int runTrace(const TraceOptions& options) {
   const StopSignal stop;
   SkySums sums(loaded, cloud);
   const std::string checkpoint = isStream(output) ? "" : output;
-  LongRun run({options.run, options.longRun, cloud, settings, wanted, checkpoint,
+  LongRun run({tracers, options.run, options.longRun, cloud, settings, wanted, checkpoint,
                [&] { return std::optional(plainError(sums.tally())); }},
               sums, stop);
   run.trace();
@@ -42,7 +42,7 @@ int runTrace(const TraceOptions& options) {
 
 }  // namespace
 
-void addTrace(CLI::App& app, int& exit) {
+void addTrace(CLI::App& app, int& exit, Tracers& tracers) {
   auto options = std::make_shared<TraceOptions>();
   CLI::App* command =
       app.add_subcommand("trace", "Trace a scene into a tally EXR: exact sums a pixel, not yet a picture");
@@ -50,7 +50,7 @@ void addTrace(CLI::App& app, int& exit) {
   options->longRun.addTo(*command, LongRunOptions::Keeps::output);
   command->add_option("-o,--output", options->output, "The tally, an EXR; - for stdout; that of --resume when left out")
       ->type_name("FILE");
-  command->callback([options, &exit] { exit = runTrace(*options); });
+  command->callback([options, &exit, &tracers] { exit = runTrace(*options, tracers); });
 }
 
 }  // namespace parhelion::cli

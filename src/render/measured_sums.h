@@ -11,6 +11,11 @@ namespace parhelion {
 inline void readTally(const std::filesystem::path& path, MapTally& tally) { tally = readMapTally(path); }
 inline void readTally(const std::filesystem::path& path, ProfileTally& tally) { tally = readProfileTally(path); }
 
+inline Measurement measurementOf(const MapTally& tally) { return MapMeasurement{tally.sums.binsPerHalfTurn()}; }
+inline Measurement measurementOf(const ProfileTally& tally) {
+  return ProfileMeasurement{tally.sums.sums().size(), tally.sums.from(), tally.sums.to()};
+}
+
 /// The tally of a map or a profile as the sums of a run.
 template <class Tally>
 class MeasuredSums : public RunSums {
@@ -18,6 +23,7 @@ class MeasuredSums : public RunSums {
   explicit MeasuredSums(Tally empty) : empty_(std::move(empty)), tally_(empty_) {}
 
   Film& film() override { return tally_.sums; }
+  Measurement measurement() const override { return measurementOf(tally_); }
   TallyOrigin& origin() override { return tally_.origin; }
   TallyKind kind() const override { return kindOf(tally_); }
   void read(const std::filesystem::path& path) override {

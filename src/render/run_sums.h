@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "picture/transaction.h"
+#include "render/measurement.h"
 #include "sky/tally_info.h"
 #include "sky/tally_kind.h"
 #include "trace/cloud.h"
@@ -21,6 +22,9 @@ class RunSums {
 
   /// The film that adds to the sums. Valid as long as they are, from the last read() on.
   virtual Film& film() = 0;
+
+  /// What is added up.
+  virtual Measurement measurement() const = 0;
 
   /// What they are made of. The rays are those that the film has got.
   virtual TallyOrigin& origin() = 0;

@@ -14,6 +14,7 @@ class SkySums : public RunSums {
       : loaded_(loaded), cloud_(cloud), tally_(emptyTally(loaded, cloud)) {}
 
   Film& film() override;
+  Measurement measurement() const override { return SkyMeasurement{}; }
   TallyOrigin& origin() override { return tally_.info; }
   TallyKind kind() const override { return TallyKind::sky; }
   void read(const std::filesystem::path& path) override;

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "sky/fixed_point.h"
@@ -30,6 +31,12 @@ inline double fullness(const std::vector<SumLine>& sums) {
   for (const SumLine& line : sums)
     for (const std::int64_t sum : line.place) most = std::max(most, sum);
   return static_cast<double>(most) / 0x1p63;
+}
+
+/// All their integers, in their order.
+inline std::span<std::int64_t> integersOf(std::vector<SumLine>& lines) {
+  static_assert(sizeof(SumLine) == sizeof(SumLine::place));
+  return {reinterpret_cast<std::int64_t*>(lines.data()), 8 * lines.size()};
 }
 
 /// Adds `amounts` to sums of the same number. Throws std::overflow_error, and changes nothing, where one of them does

@@ -52,4 +52,9 @@ double BundleBins::shareError(int bin, std::uint64_t bundles, double all) const 
   return error(bin, bundles) / all;
 }
 
+void BundleBins::visitSums(SumVisitor& visitor) {
+  visitor.visit(std::span(sums_));
+  for (SquareTotal& square : squares_) visitor.visit(square);
+}
+
 }  // namespace parhelion

@@ -24,6 +24,7 @@ class RadialFilm : public Film {
         new RadialFilm(tally_, std::make_unique<RadialSky>(tally_.info, sky_.toCentre(), tally_.colours())));
   }
   void merge(Film& fromThread) override;
+  void visitSums(SumVisitor& visitor) override;
 
   /// Spreads the rings over the tally's pixels, in the place of what was there.
   void finish() override { sky_.spreadOver(tally_); }

@@ -22,6 +22,7 @@ class SkyFilm : public Film {
   int add(const TracedRays& traced) override;
   std::unique_ptr<Film> forThread() override { return std::unique_ptr<SkyFilm>(new SkyFilm(tally_, locks_)); }
   void merge(Film& fromThread) override;
+  void visitSums(SumVisitor& visitor) override;
   void finish() override;
   void reopen() override;
   double fullness() const override { return tally_.fullness(); }
