@@ -14,6 +14,7 @@
 #include "cli/commands.h"
 #include "cli/complaint.h"
 #include "cli/say.h"
+#include "cli/thread_words.h"
 #include "scene/scene_error.h"
 
 namespace {
@@ -33,6 +34,7 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
 
   int exit = kDone;
+  countThreads();
   addCommands(app, exit);
   try {
     app.parse(argc, argv);
@@ -57,6 +59,7 @@ int main(int argc, char** argv) {
   flushDenormals();
   try {
     const int code = run(argc, argv);
+    sayMissingThreads();
     if (std::fflush(stdout) != 0 || std::ferror(stdout)) return fail(std::string("stdout: ") + std::strerror(errno));
     return code;
   } catch (const parhelion::SceneError& error) {
