@@ -36,7 +36,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   int exit = 0;
   CLI::App app("", "parhelion");
-  cli::addCommands(app, exit);
+  Tracers tracers;
+  cli::addCommands(app, exit, tracers);
   app.require_subcommand(2);  // which nobody gives
   for (const std::string& word : words) {
     mayRefuse([&] { parseKeyRange(word); });
