@@ -11,6 +11,7 @@
 #include "cli/commands.h"
 #include "cli/complaint.h"
 #include "cli/say.h"
+#include "cli/thread_words.h"
 #include "scene/scene_error.h"
 
 namespace parhelion::cli {
@@ -23,6 +24,7 @@ int run(int argc, char** argv, Tracers& tracers) {
   app.require_subcommand(1);
 
   int exit = kDone;
+  countThreads();
   addCommands(app, exit, tracers);
   try {
     app.parse(argc, argv);
@@ -45,6 +47,7 @@ int fail(const std::string& reason, int code = kRunTimeFailure) {
 int runProgram(int argc, char** argv, Tracers& tracers) {
   try {
     const int code = run(argc, argv, tracers);
+    sayMissingThreads();
     if (std::fflush(stdout) != 0 || std::ferror(stdout)) return fail(std::string("stdout: ") + std::strerror(errno));
     return code;
   } catch (const SceneError& error) {
