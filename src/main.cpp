@@ -13,6 +13,7 @@
 
 #include "cli/commands.h"
 #include "cli/complaint.h"
+#include "cli/process.h"
 #include "cli/say.h"
 #include "scene/scene_error.h"
 
@@ -54,6 +55,7 @@ int fail(const std::string& reason) {
 
 int main(int argc, char** argv) {
   using namespace parhelion::cli;
+  prepareProcess();
   flushDenormals();
   try {
     const int code = run(argc, argv);

@@ -3,6 +3,19 @@
 
 namespace parhelion::cli {
 
+namespace {
+
+/// No value of any option is empty: no number, no name, and no file.
+void requireValues(CLI::App& app) {
+  const CLI::Validator notEmpty(
+      [](const std::string& value) { return value.empty() ? "expected a value, not ''" : std::string(); }, "");
+  for (CLI::App* command : app.get_subcommands({}))
+    for (CLI::Option* option : command->get_options())
+      if (option->get_items_expected_max() > 0) option->check(notEmpty);
+}
+
+}  // namespace
+
 void addCommands(CLI::App& app, int& exit) {
   addRender(app, exit);
   addTrace(app, exit);
@@ -16,6 +29,7 @@ void addCommands(CLI::App& app, int& exit) {
   addInfo(app, exit);
   addCheck(app, exit);
   addSchema(app, exit);
+  requireValues(app);
 }
 
 }  // namespace parhelion::cli

@@ -5,6 +5,8 @@
 #include "cli/file_words.h"
 #include "cli/number_options.h"
 #include "cli/trace_watch.h"
+#include "picture/memory_limit.h"
+#include "render/needs.h"
 
 namespace parhelion::cli {
 
@@ -46,6 +48,8 @@ HaloOptions::Result HaloOptions::make(const PhotoCamera& camera, const StopSigna
 HaloOptions::Result HaloOptions::render(const PhotoCamera& camera, const StopSignal& stop, Transaction& outputs) const {
   const SceneLoader load = [this](const std::vector<std::string>& overrides) { return run.load(overrides); };
   const HaloScene scene = haloSceneFor(camera, coarseness, load);
+  const Scene& coarse = scene.coarse.scene;
+  requireMemory("the halo", memoryToReconstruct(skySizeOf(coarse), coarse.recon, run.threads));
   TraceWatch watch(run, scene.coarse.scene.trace.rays, stop);
   const TracedSky traced = traceSky(scene.coarse, cloudOf(scene.coarse.scene), watch.control());
   const int exit = watch.report(traced, outputs);

@@ -10,8 +10,10 @@
 #include "cli/text_output.h"
 #include "cli/trace_watch.h"
 #include "picture/exr.h"
+#include "picture/memory_limit.h"
 #include "picture/photograph.h"
 #include "render/measurements.h"
+#include "render/needs.h"
 #include "render/scene_attributes.h"
 
 namespace parhelion::cli {
@@ -40,7 +42,12 @@ std::string csv(const SkyMap& map) {
 
 int runMap(const MapOptions& options, int binsPerHalfTurn) {
   const LoadedScene loaded = options.run.load();
-  Transaction outputs = claimOutputs({{options.run.scene}, {options.output, options.run.stats}}, options.run.overwrite);
+  requireMemory("the map", memoryToMap(binsPerHalfTurn, options.run.threads));
+  Transaction outputs = claimOutputs({{options.run.scene},
+                                      {options.output, options.run.stats},
+                                      {},
+                                      {{options.output, leastBytesOfMap(binsPerHalfTurn, !options.toExr())}}},
+                                     options.run.overwrite);
   const StopSignal stop;
   TraceWatch watch(options.run, loaded.scene.trace.rays, stop);
   const TracedMap traced = traceMap(loaded.scene, binsPerHalfTurn, watch.control());

@@ -11,7 +11,9 @@
 #include "cli/tables.h"
 #include "cli/text_output.h"
 #include "cli/trace_watch.h"
+#include "picture/memory_limit.h"
 #include "render/measurements.h"
+#include "render/needs.h"
 
 namespace parhelion::cli {
 
@@ -56,6 +58,7 @@ nlohmann::ordered_json json(const ScatterProfile::Summary& s) {
 
 int runProfile(const ProfileOptions& options) {
   const Scene scene = options.run.load().scene;
+  requireMemory("the profile", memoryToProfile(options.bins, options.run.threads));
   Transaction outputs =
       claimOutputs({{options.run.scene}, {options.output, options.summary, options.run.stats}}, options.run.overwrite);
   const StopSignal stop;

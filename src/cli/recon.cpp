@@ -19,8 +19,10 @@
 #include "cli/stop_signal.h"
 #include "cli/text_output.h"
 #include "parallel/threads.h"
+#include "picture/memory_limit.h"
 #include "picture/png.h"
 #include "recon/compare.h"
+#include "render/needs.h"
 #include "render/scene_attributes.h"
 #include "sky/confidence.h"
 #include "sky/tally_exr.h"
@@ -171,11 +173,12 @@ void writeReconStats(const ReconOptions& options, const Tally& tally, std::strin
   writeJson(outputs.at(options.stats), json);
 }
 
-Transaction claimOutputsOf(const ReconOptions& options, const SkyFiles& sky) {
+Transaction claimOutputsOf(const ReconOptions& options, const SkyFiles& sky, std::uint64_t leastBytes) {
   Files files{options.references, {}};
   files.inputs.push_back(options.tally);
   const std::string table = options.references.empty() ? "" : "-";
   files.outputs = {sky.exr, sky.png, options.confidence, options.stats, table};
+  files.leastBytes = {{sky.exr, leastBytes}};
   return claimOutputs(files, options.overwrite);
 }
 
@@ -186,7 +189,9 @@ int runRecon(const ReconOptions& options) {
   // A tally is an EXR, too: the picture's name must differ.
   const std::string name = std::filesystem::path(options.tally).stem().string() + "-sky";
   SkyFiles files = options.picture.files(name);
-  Transaction outputs = claimOutputsOf(options, files);
+  const SkySize size{tally.pixels(), tally.colours() == 3};
+  requireMemory("the picture", memoryToReconstruct(size, loaded.scene.recon, options.threads));
+  Transaction outputs = claimOutputsOf(options, files, leastBytesOfPicture(size, loaded.scene.recon));
   const std::vector<Tally> references = readReferences(options, tally);
 
   ReconRun run;

@@ -5,6 +5,8 @@
 #include "cli/run_options.h"
 #include "cli/trace_watch.h"
 #include "parallel/threads.h"
+#include "picture/memory_limit.h"
+#include "render/needs.h"
 #include "render/sky_files.h"
 
 namespace parhelion::cli {
@@ -20,7 +22,13 @@ int runRender(const RenderOptions& options) {
   const LoadedScene loaded = options.run.load();
   const std::string& scene = options.run.scene;
   SkyFiles files = options.picture.files(scene);
-  Transaction outputs = claimOutputs({{scene}, {files.exr, files.png, options.run.stats}}, options.run.overwrite);
+  const SkySize size = skySizeOf(loaded.scene);
+  requireMemory("the picture", memoryToReconstruct(size, loaded.scene.recon, options.run.threads));
+  Transaction outputs = claimOutputs({{scene},
+                                      {files.exr, files.png, options.run.stats},
+                                      {},
+                                      {{files.exr, leastBytesOfPicture(size, loaded.scene.recon)}}},
+                                     options.run.overwrite);
   // Also while the picture is made, so that a late Ctrl-C does not lose what was traced.
   const StopSignal stop;
   TraceWatch watch(options.run, loaded.scene.trace.rays, stop);

@@ -8,6 +8,8 @@
 #include "cli/run_options.h"
 #include "cli/say.h"
 #include "cli/trace_watch.h"
+#include "picture/memory_limit.h"
+#include "render/needs.h"
 #include "render/sky_files.h"
 #include "render/sweep.h"
 #include "scene/key_range.h"
@@ -69,6 +71,9 @@ void requireOutputsOf(const SweepOptions& options, const std::vector<SweepFrame>
   for (const SweepFrame& frame : frames) {
     files.outputs.push_back(frame.exr);
     files.outputs.push_back(frame.png());
+    const SkySize size = skySizeOf(frame.loaded.scene);
+    if (!frame.lacks.empty()) files.leastBytes[frame.exr] = leastBytesOfPicture(size, frame.loaded.scene.recon);
+    requireMemory(frame.exr.string(), memoryToReconstruct(size, frame.loaded.scene.recon, options.run.threads));
   }
   requireOutputs(files, options.run.overwrite);
 }

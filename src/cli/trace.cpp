@@ -5,6 +5,8 @@
 #include "cli/run_options.h"
 #include "cli/say.h"
 #include "cli/trace_watch.h"
+#include "picture/memory_limit.h"
+#include "render/needs.h"
 #include "sky/tally_exr.h"
 
 namespace parhelion::cli {
@@ -18,7 +20,11 @@ struct TraceOptions {
 
 int runTrace(const TraceOptions& options) {
   const LoadedScene loaded = options.run.load();
-  Transaction outputs = claimOutputs({{options.run.scene}, {options.output, options.run.stats}}, options.run.overwrite);
+  const SkySize size = skySizeOf(loaded.scene);
+  requireMemory("the tally", memoryToTrace(size, options.run.threads));
+  Transaction outputs = claimOutputs(
+      {{options.run.scene}, {options.output, options.run.stats}, {}, {{options.output, leastBytesOfTally(size)}}},
+      options.run.overwrite);
   const StopSignal stop;
   TraceWatch watch(options.run, loaded.scene.trace.rays, stop);
   const TracedSky traced = traceSky(loaded, cloudOf(loaded.scene), watch.control());

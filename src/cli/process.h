@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+namespace parhelion::cli {
+
+/// For main, first of all: makes failures of what the program was started with errors like any other. A file that may
+/// not become larger (ulimit -f) is one, no signal. Standard streams that were closed stay useless, but no file that is
+/// opened later takes their place, into which messages would go.
+void prepareProcess();
+
+}  // namespace parhelion::cli
