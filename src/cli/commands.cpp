@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/commands.h"
 
+#include "cli/memory_option.h"
+
 namespace parhelion::cli {
 
 namespace {
@@ -28,7 +30,8 @@ void addCommands(CLI::App& app, int& exit) {
   addReplay(app, exit);
   addInfo(app, exit);
   addCheck(app, exit);
-  addSchema(app, exit);
+  for (CLI::App* command : app.get_subcommands({})) addMemory(*command);
+  addSchema(app, exit);  // which reads nothing
   requireValues(app);
 }
 

@@ -20,6 +20,8 @@ namespace parhelion::cli {
 
 namespace {
 
+constexpr int kBytesForUse = 36;  // a pixel: sky, mask and the picture that is written
+
 struct CompositeOptions {
   std::string photo, output, mask, maskOutput, layers, white = "sun";
   HaloOptions halo;
@@ -102,16 +104,15 @@ void report(const CompositeOptions& options, double pixels, const AddedHaloRepor
 int runComposite(const CompositeOptions& options) {
   requireSense(options);
   Transaction outputs = claimAll(options);
-  const StopSignal stop;
   const bool quiet = options.halo.run.quiet;
   requireFit(options.photo, Wanted::photograph);
   if (!options.mask.empty()) requireFit(options.mask, Wanted::photograph);
-  Photograph photograph = readPhotograph(options.photo, options.camera.rules());
+  Photograph photograph = readPhotograph(options.photo, options.camera.rules(kBytesForUse));
   const PhotoCamera camera = options.camera.camera(photograph, options.photo, options.halo.sunElevation());
   sayAll(camera.remarks, quiet);
 
   const SkyMask mask = maskOf(options, photograph, camera);
-  const auto [halo, exit] = options.halo.make(camera, stop, outputs);
+  const PhotoHalo halo = options.halo.make(camera, outputs);
   const HaloStrength strength =
       haloStrength(strengthSettings(options), photograph, mask, camera.camera, camera.sunElevation, halo.lookup);
   sayAll(strength.remarks, quiet);
@@ -123,7 +124,7 @@ int runComposite(const CompositeOptions& options) {
                                               camera, halo.attributes, options.halo.run.threads);
   outputs.commit();
   if (!quiet) report(options, pixels, done);
-  return exit;
+  return kDone;
 }
 
 }  // namespace

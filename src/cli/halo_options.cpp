@@ -41,19 +41,19 @@ double HaloOptions::sunElevation() const {
   return picture.empty() ? run.load().scene.sun.elevation : sunElevationIn(picture);
 }
 
-HaloOptions::Result HaloOptions::make(const PhotoCamera& camera, const StopSignal& stop, Transaction& outputs) const {
-  return picture.empty() ? render(camera, stop, outputs) : Result{readHalo(picture, camera), kDone};
+PhotoHalo HaloOptions::make(const PhotoCamera& camera, Transaction& outputs) const {
+  return picture.empty() ? render(camera, outputs) : readHalo(picture, camera);
 }
 
-HaloOptions::Result HaloOptions::render(const PhotoCamera& camera, const StopSignal& stop, Transaction& outputs) const {
+PhotoHalo HaloOptions::render(const PhotoCamera& camera, Transaction& outputs) const {
   const SceneLoader load = [this](const std::vector<std::string>& overrides) { return run.load(overrides); };
   const HaloScene scene = haloSceneFor(camera, coarseness, load);
   const Scene& coarse = scene.coarse.scene;
   requireMemory("the halo", memoryToReconstruct(skySizeOf(coarse), coarse.recon, run.threads));
-  TraceWatch watch(run, scene.coarse.scene.trace.rays, stop);
+  TraceWatch watch(run, scene.coarse.scene.trace.rays, nullptr);
   const TracedSky traced = traceSky(scene.coarse, cloudOf(scene.coarse.scene), watch.control());
-  const int exit = watch.report(traced, outputs);
-  return {haloOf(traced, scene, camera, run.threads), exit};
+  watch.report(traced, outputs);
+  return haloOf(traced, scene, camera, run.threads);
 }
 
 }  // namespace parhelion::cli

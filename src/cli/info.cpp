@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
-#include <cmath>
 #include <filesystem>
 
 #include "cli/commands.h"
@@ -23,22 +21,12 @@ struct InfoOptions {
   bool sceneOnly = false;
 };
 
-void printChannel(const Channel& channel) {
-  float least = INFINITY, greatest = -INFINITY;
-  double sum = 0.0;
-  for (const float sample : channel.samples) {
-    least = std::min(least, sample);
-    greatest = std::max(greatest, sample);
-    sum += sample;
-  }
-  answer("channel %-12s min %-12g mean %-12g max %g", shortened(channel.name).c_str(), least,
-         sum / static_cast<double>(channel.samples.size()), greatest);
-}
-
 int infoExr(const std::string& path) {
-  const ExrFile exr = readExr(path, ExrColours::asStored);
-  answer("%s: EXR, %d x %d", path.c_str(), exr.image.width, exr.image.height);
-  for (const Channel& channel : exr.image.channels) printChannel(channel);
+  const ExrFrame exr = readExrFrame(path);
+  answer("%s: EXR, %d x %d", path.c_str(), exr.width, exr.height);
+  for (const ChannelRange& channel : readExrRanges(path))
+    answer("channel %-12s min %-12g mean %-12g max %g", shortened(channel.name).c_str(), channel.least, channel.mean,
+           channel.greatest);
   printTexts(exr.attributes, path);
   return kDone;
 }

@@ -65,7 +65,7 @@ void printTexts(const std::map<std::string, std::string>& text, const std::strin
 }
 
 int infoPhotograph(const std::string& path, const FileKind& kind) {
-  const Photograph photograph = readPhotograph(path, {true});
+  const Photograph photograph = readPhotographHeader(path);
   const bool isJpeg = kind.family == FileKind::Family::jpeg;
   answer("%s: %s, %d x %d, %d bits%s", path.c_str(), isJpeg ? "JPEG" : "PNG", photograph.width, photograph.height,
          bitsOf(photograph.samples), photograph.channels == 4 ? ", with alpha" : "");

@@ -49,7 +49,7 @@ int runMap(const MapOptions& options, int binsPerHalfTurn) {
                                       {{options.output, leastBytesOfMap(binsPerHalfTurn, !options.toExr())}}},
                                      options.run.overwrite);
   const StopSignal stop;
-  TraceWatch watch(options.run, loaded.scene.trace.rays, stop);
+  TraceWatch watch(options.run, loaded.scene.trace.rays, &stop);
   const TracedMap traced = traceMap(loaded.scene, binsPerHalfTurn, watch.control());
   const int exit = watch.report(traced, outputs);
   if (options.toExr())

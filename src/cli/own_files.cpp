@@ -12,6 +12,7 @@
 
 #include "cli/tables.h"
 #include "picture/file_kind.h"
+#include "picture/limits.h"
 #include "render/own_pictures.h"
 
 namespace parhelion::cli {
@@ -19,7 +20,6 @@ namespace parhelion::cli {
 namespace {
 
 constexpr std::string_view kChartMark = "<!-- parhelion ";  // behind the XML declaration
-constexpr std::uintmax_t kMostJson = 1 << 26;               // bytes; ours stay far below
 
 bool isOwnTable(std::string_view start) {
   const std::string_view columns = start.substr(0, start.find('\n'));
@@ -28,7 +28,7 @@ bool isOwnTable(std::string_view start) {
 }
 
 bool isOwnJson(const std::filesystem::path& path) {
-  if (std::filesystem::file_size(path) > kMostJson) return false;
+  if (std::filesystem::file_size(path) > kMostOwnJsonBytes) return false;
   std::ifstream file(path);
   const auto json = nlohmann::json::parse(file, nullptr, false);
   const auto hasAll = [&json](std::initializer_list<const char*> keys) {

@@ -29,7 +29,8 @@ struct PhotoOptions {
 
   void addTo(CLI::App& command);
 
-  PhotographRules rules() const { return {assumeSrgb}; }
+  /// How to read a photograph of whose pixels each takes so many bytes of work.
+  PhotographRules rules(int bytesForUse) const { return {assumeSrgb, bytesForUse}; }
 
   /// Whether anything was said of the lens or of where it pointed.
   bool given() const;

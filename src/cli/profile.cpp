@@ -62,7 +62,7 @@ int runProfile(const ProfileOptions& options) {
   Transaction outputs =
       claimOutputs({{options.run.scene}, {options.output, options.summary, options.run.stats}}, options.run.overwrite);
   const StopSignal stop;
-  TraceWatch watch(options.run, scene.trace.rays, stop);
+  TraceWatch watch(options.run, scene.trace.rays, &stop);
   const TracedProfile traced =
       traceProfile(scene, options.bins, radians(options.from), radians(options.to), watch.control());
   const int exit = watch.report(traced, outputs);

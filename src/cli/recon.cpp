@@ -16,7 +16,6 @@
 #include "cli/run_options.h"
 #include "cli/say.h"
 #include "cli/stats.h"
-#include "cli/stop_signal.h"
 #include "cli/text_output.h"
 #include "parallel/threads.h"
 #include "picture/memory_limit.h"
@@ -69,16 +68,13 @@ struct ReconRun {
   double seconds = 0.0, cpuSeconds = 0.0;  // of the reconstruction alone
 };
 
-/// Throws ReconStopped on SIGINT and SIGTERM.
 ReconRun timedReconstruction(const ReconOptions& options, const Tally& tally, const ReconSettings& settings) {
   using Clock = std::chrono::steady_clock;
-  const StopSignal stop;
   Progress progress(progressStyle(options.quiet, options.progress), Progress::kOfReconstruction);
   const double cpuBefore = processUsage().cpuSeconds;
   const Clock::time_point start = Clock::now();
   const auto elapsed = [start] { return std::chrono::duration<double>(Clock::now() - start).count(); };
   Watch watch;
-  watch.stop = &stop.requested();
   watch.onProgress = [&](double share) {
     const double seconds = elapsed();
     progress.update(share, seconds, [&](Progress::Style style) { return progressLine(style, share, seconds); });
@@ -194,13 +190,7 @@ int runRecon(const ReconOptions& options) {
   Transaction outputs = claimOutputsOf(options, files, leastBytesOfPicture(size, loaded.scene.recon));
   const std::vector<Tally> references = readReferences(options, tally);
 
-  ReconRun run;
-  try {
-    run = timedReconstruction(options, tally, loaded.scene.recon);
-  } catch (const ReconStopped&) {
-    say("interrupted: nothing was written");
-    return kInterrupted;
-  }
+  ReconRun run = timedReconstruction(options, tally, loaded.scene.recon);
   // Before the sun is drawn.
   if (!options.confidence.empty())
     writePng(outputs.at(options.confidence), confidence(run.sky.image), {{"Software", kSoftware}});

@@ -31,7 +31,7 @@ int runRender(const RenderOptions& options) {
                                      options.run.overwrite);
   // Also while the picture is made, so that a late Ctrl-C does not lose what was traced.
   const StopSignal stop;
-  TraceWatch watch(options.run, loaded.scene.trace.rays, stop);
+  TraceWatch watch(options.run, loaded.scene.trace.rays, &stop);
   const TracedSky traced = traceSky(loaded, cloudOf(loaded.scene), watch.control());
   const int exit = watch.report(traced, outputs);
   ReconstructedSky sky = developSky(traced, loaded, options.run.threads);

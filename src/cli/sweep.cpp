@@ -99,7 +99,7 @@ void reportFrame(const RunOptions& run, const SweepFrame& frame, std::size_t num
 
 /// Renders what is lacking. False if a signal or the time limit, which is for the whole sweep, came first.
 bool renderLacking(const RunOptions& run, const std::vector<SweepFrame>& frames, const StopSignal& stop) {
-  SweepControl control{traceControl(run, stop), {}};
+  SweepControl control{traceControl(run, &stop), {}};
   control.onFrame = [&](std::size_t frame, double seconds) {
     reportFrame(run, frames[frame], frame + 1, frames.size(), seconds);
   };

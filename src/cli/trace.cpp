@@ -26,7 +26,7 @@ int runTrace(const TraceOptions& options) {
       {{options.run.scene}, {options.output, options.run.stats}, {}, {{options.output, leastBytesOfTally(size)}}},
       options.run.overwrite);
   const StopSignal stop;
-  TraceWatch watch(options.run, loaded.scene.trace.rays, stop);
+  TraceWatch watch(options.run, loaded.scene.trace.rays, &stop);
   const TracedSky traced = traceSky(loaded, cloudOf(loaded.scene), watch.control());
   const int exit = watch.report(traced, outputs);
   writeTallyExr(outputs.at(options.output), traced.tally);

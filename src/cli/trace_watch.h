@@ -9,15 +9,15 @@
 
 namespace parhelion::cli {
 
-/// How the options have a run traced: threads, registers, time, stopping at the batch's end on SIGINT and SIGTERM;
-/// without a word on stderr.
-TraceControl traceControl(const RunOptions& options, const StopSignal& stop);
+/// How the options have a run traced: threads, registers, time, stopping at the batch's end on SIGINT and SIGTERM
+/// if there is a StopSignal; without a word on stderr.
+TraceControl traceControl(const RunOptions& options, const StopSignal* stop);
 
 /// A run of tracing as its user sees it.
 class TraceWatch {
  public:
   /// `rays` is how many there are to be traced. Options and signal must outlive the watch.
-  TraceWatch(const RunOptions& options, std::uint64_t rays, const StopSignal& stop);
+  TraceWatch(const RunOptions& options, std::uint64_t rays, const StopSignal* stop);
 
   /// Control of the run, with progress on stderr. Valid as long as the watch.
   TraceControl control();
@@ -29,7 +29,7 @@ class TraceWatch {
  private:
   const RunOptions& options_;
   double rays_;
-  const StopSignal& stop_;
+  const StopSignal* stop_;
   Progress progress_;
 };
 

@@ -209,9 +209,11 @@ void writeView(View view, const ViewInput& input, const ViewOptions& options, Tr
 
 /// Reads the second picture, if there is one. Throws for options that have no meaning for what is in the files.
 std::vector<ViewInput> readPictures(const ViewOptions& options) {
-  std::vector<ViewInput> pictures{readViewInput(options.input, options.photo.rules())};
-  for (const std::string& other : options.beside) pictures.push_back(readViewInput(other, options.photo.rules()));
-  if (!options.minus.empty()) pictures.push_back(readViewInput(options.minus, options.photo.rules()));
+  constexpr int kBytesForUse = 16;  // a pixel: three floats, and the view of 8 bits
+  const PhotographRules rules = options.photo.rules(kBytesForUse);
+  std::vector<ViewInput> pictures{readViewInput(options.input, rules)};
+  for (const std::string& other : options.beside) pictures.push_back(readViewInput(other, rules));
+  if (!options.minus.empty()) pictures.push_back(readViewInput(options.minus, rules));
   if (options.needsCamera() && !options.photo.given())
     for (ViewInput& picture : pictures) takeSceneBeside(picture);
   if (options.exposure && std::none_of(pictures.begin(), pictures.end(), [](const auto& p) { return p.light; }))

@@ -48,18 +48,17 @@ ViewInput readViewInput(const std::string& path, const PhotographRules& rules) {
     input.photograph = readPhotograph(path, rules);
     return input;
   }
-  ExrFile exr = readExr(path, exrColours(rules));
-  input.photograph.width = exr.image.width;
-  input.photograph.height = exr.image.height;
-  input.photograph.text = std::move(exr.attributes);
-  // The parts of a tally hold the halves of 64-bit integers.
-  if (exr.image.find("hi") && exr.image.find("lo")) {
+  ExrFrame frame = readExrFrame(path);
+  input.photograph.width = frame.width;
+  input.photograph.height = frame.height;
+  input.photograph.text = std::move(frame.attributes);
+  if (input.photograph.text.contains(kTallyKey)) {
     input.tally = readTallyExr(path);
     input.light = plainRadiance(*input.tally);
     input.photograph.text[kSceneKey] = input.tally->info.scene;
   } else {
-    requireColours(path, exr.image);
-    input.light = std::move(exr.image);
+    input.light = readExr(path, exrColours(rules), {true, rules.bytesForUse}).image;
+    requireColours(path, *input.light);
   }
   return input;
 }

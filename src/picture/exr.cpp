@@ -9,6 +9,7 @@
 #include <ImfOutputFile.h>
 #include <ImfStandardAttributes.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -16,9 +17,11 @@
 #include <cstring>
 #include <ctime>
 #include <fstream>
+#include <span>
 
 #include "picture/colour_space.h"
 #include "picture/exr_stream.h"
+#include "picture/limits.h"
 
 namespace parhelion {
 namespace {
@@ -32,7 +35,8 @@ std::string captureDate() {
   const auto [stop, error] = std::from_chars(text, end, seconds);
   constexpr std::int64_t kYear10000 = 253402300800;
   if (error != std::errc{} || stop != end || seconds < 0 || seconds >= kYear10000) {
-    throw std::runtime_error("SOURCE_DATE_EPOCH is no number of seconds since 1970, with a year before 10000: '" + std::string(text) + "'");
+    throw std::runtime_error("SOURCE_DATE_EPOCH is no number of seconds since 1970, with a year before 10000: '" +
+                             std::string(text) + "'");
   }
   const std::time_t time = seconds;
   std::tm utc{};
@@ -58,18 +62,62 @@ Imf::Slice sliceOf(const std::vector<float>& samples, const Imath::Box2i& window
   return Imf::Slice::Make(Imf::FLOAT, samples.data(), window);
 }
 
-Image readPart(const std::filesystem::path& path, Imf::MultiPartInputFile& file) {
+/// Adds samples to a range, whose mean is still their sum.
+void include(ChannelRange& range, std::span<const float> samples) {
+  for (const float sample : samples) {
+    range.least = std::min(range.least, sample);
+    range.greatest = std::max(range.greatest, sample);
+    range.mean += sample;
+  }
+}
+
+bool isColour(std::string_view name) { return name == "R" || name == "G" || name == "B" || name == "A" || name == "Y"; }
+
+Image readPart(const std::filesystem::path& path, Imf::MultiPartInputFile& file, const ExrWanted& wanted) {
   const Imf::Header& header = file.header(0);
   requireSaneSize(path, header);
   const Imath::Box2i window = header.dataWindow();
   Image image{window.max.x - window.min.x + 1, window.max.y - window.min.y + 1, {}};
-  for (auto c = header.channels().begin(); c != header.channels().end(); ++c) image.add(c.name());
+  std::vector<std::string> names;
+  for (auto c = header.channels().begin(); c != header.channels().end(); ++c)
+    if (!wanted.coloursOnly || isColour(c.name())) names.emplace_back(c.name());
+  const std::uint64_t pixelBytes = names.size() * sizeof(float) + static_cast<unsigned>(wanted.bytesForUse);
+  requireMemoryFor(path, image.pixels() * pixelBytes + rowMemory(header));
+  for (const std::string& name : names) image.add(name);
   Imf::FrameBuffer buffer;
   for (const Channel& channel : image.channels) buffer.insert(channel.name, sliceOf(channel.samples, window));
   Imf::InputPart part(file, 0);
   part.setFrameBuffer(buffer);
   part.readPixels(window.min.y, window.max.y);
   return image;
+}
+
+/// The channels' rows a few at a time, as many as compression takes together.
+std::vector<ChannelRange> rangesOf(const std::filesystem::path& path, Imf::MultiPartInputFile& file) {
+  const Imf::Header& header = file.header(0);
+  requireSaneSize(path, header);
+  const Imath::Box2i window = header.dataWindow();
+  const int width = window.max.x - window.min.x + 1, most = rowsTogether(header);
+  std::vector<ChannelRange> ranges;
+  for (auto c = header.channels().begin(); c != header.channels().end(); ++c)
+    ranges.push_back({c.name(), INFINITY, -INFINITY, 0.0});
+  const std::size_t planeSize = static_cast<std::size_t>(width) * static_cast<std::size_t>(most);
+  requireMemoryFor(path, ranges.size() * planeSize * sizeof(float) + rowMemory(header));
+  std::vector<std::vector<float>> planes(ranges.size(), std::vector<float>(planeSize));
+  Imf::InputPart part(file, 0);
+  for (int top = window.min.y; top <= window.max.y; top += most) {
+    const int bottom = std::min(top + most - 1, window.max.y);
+    const Imath::Box2i rows({window.min.x, top}, {window.max.x, bottom});
+    Imf::FrameBuffer buffer;
+    for (std::size_t c = 0; c < ranges.size(); ++c) buffer.insert(ranges[c].name, sliceOf(planes[c], rows));
+    part.setFrameBuffer(buffer);
+    part.readPixels(top, bottom);
+    const std::size_t samples = static_cast<std::size_t>(width) * static_cast<std::size_t>(bottom - top + 1);
+    for (std::size_t c = 0; c < ranges.size(); ++c) include(ranges[c], std::span(planes[c]).first(samples));
+  }
+  const double pixels = static_cast<double>(width) * (window.max.y - window.min.y + 1);
+  for (ChannelRange& range : ranges) range.mean /= pixels;
+  return ranges;
 }
 
 DisplayWindow displayOf(const Imf::Header& header) {
@@ -125,15 +173,37 @@ bool isExr(const std::filesystem::path& path) {
   return start == kMagic;
 }
 
-ExrFile readExr(const std::filesystem::path& path, ExrColours colours) {
+ExrFile readExr(const std::filesystem::path& path, ExrColours colours, ExrWanted wanted) {
   requireSaneHeaders(path);
   return withExrErrors(path, [&] {
     Imf::MultiPartInputFile file(path.c_str(), 0, false);  // no threads, no guessing at missing scan lines
-    Image image = readPart(path, file);
+    Image image = readPart(path, file, wanted);
     const Imf::Header& header = file.header(0);
     ExrFile read{std::move(image), textOf(header), displayOf(header), chromaticitiesOf(header)};
     if (colours == ExrColours::rec709) convertToRec709(path, read);
     return read;
+  });
+}
+
+ExrFrame readExrFrame(const std::filesystem::path& path) {
+  requireSaneHeaders(path);
+  return withExrErrors(path, [&] {
+    Imf::MultiPartInputFile file(path.c_str(), 0, false);
+    const Imf::Header& header = file.header(0);
+    requireSaneSize(path, header);
+    const Imath::Box2i& window = header.dataWindow();
+    ExrFrame frame{
+        window.max.x - window.min.x + 1, window.max.y - window.min.y + 1, displayOf(header), {}, textOf(header)};
+    for (auto c = header.channels().begin(); c != header.channels().end(); ++c) frame.channels.emplace_back(c.name());
+    return frame;
+  });
+}
+
+std::vector<ChannelRange> readExrRanges(const std::filesystem::path& path) {
+  requireSaneHeaders(path);
+  return withExrErrors(path, [&] {
+    Imf::MultiPartInputFile file(path.c_str(), 0, false);
+    return rangesOf(path, file);
   });
 }
 

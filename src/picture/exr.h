@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "picture/chromaticities.h"
 #include "picture/envmap.h"
@@ -50,11 +51,38 @@ void requireSourceDate();
 /// Whether the file begins as EXR files do; false where it cannot be read.
 bool isExr(const std::filesystem::path& path);
 
-/// Reads the first part of any flat scan-line EXR, all channels as floats, and its text attributes. The memory it takes
-/// is bounded by the size of the file. Pixels with samples that are not finite stay as they are stored. Throws
+/// What of a file its reader needs.
+struct ExrWanted {
+  bool coloursOnly = false;  // channels R, G, B, A and Y
+  int bytesForUse = 0;       // a pixel, that the caller is going to take beside the samples
+};
+
+/// Reads the first part of any flat scan-line EXR, its channels as floats, and its text attributes. Before it takes
+/// memory, it asks requireMemoryFor(). Pixels with samples that are not finite stay as they are stored. Throws
 /// std::runtime_error "path: reason" for whatever is wrong with it, also for chromaticities that make no colour space
 /// if they are needed.
-ExrFile readExr(const std::filesystem::path& path, ExrColours colours = ExrColours::rec709);
+ExrFile readExr(const std::filesystem::path& path, ExrColours colours = ExrColours::rec709, ExrWanted wanted = {});
+
+/// What an EXR says of itself before its samples come.
+struct ExrFrame {
+  int width, height;  // pixels
+  DisplayWindow display;
+  std::vector<std::string> channels;
+  ExrAttributes attributes;
+};
+
+/// Throws as readExr does.
+ExrFrame readExrFrame(const std::filesystem::path& path);
+
+/// The samples of one channel in three numbers; those that are not finite make the mean so.
+struct ChannelRange {
+  std::string name;
+  float least, greatest;
+  double mean;
+};
+
+/// Of all channels of the first part, in memory for a few of its rows. Throws as readExr does.
+std::vector<ChannelRange> readExrRanges(const std::filesystem::path& path);
 
 /// Its text attributes alone, whatever its first part is. Throws as readExr does if the header cannot be read.
 ExrAttributes readExrAttributes(const std::filesystem::path& path);

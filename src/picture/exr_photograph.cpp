@@ -2,17 +2,21 @@
 #include "picture/exr_photograph.h"
 
 #include <algorithm>
+#include <cstdint>
+
+#include "picture/limits.h"
 
 namespace parhelion {
 namespace {
 
 /// The planes that make R, G, B and perhaps alpha.
-std::vector<const std::vector<float>*> planesOf(const std::filesystem::path& path, const Image& image) {
+std::vector<const std::vector<float>*> planesOf(const std::filesystem::path& path, const Image& image,
+                                                const std::vector<std::string>& channels) {
   std::vector<const std::vector<float>*> planes{image.find("R"), image.find("G"), image.find("B")};
   if (!planes[0] && !planes[1] && !planes[2]) planes.assign(3, image.find("Y"));
   if (std::find(planes.begin(), planes.end(), nullptr) != planes.end()) {
     std::string names;
-    for (const Channel& channel : image.channels) names += (names.empty() ? "" : ", ") + channel.name;
+    for (const std::string& channel : channels) names += (names.empty() ? "" : ", ") + channel;
     throw pictureError(path, "no channels R, G, B, nor Y; it has " + names);
   }
   if (const auto* alpha = image.find("A")) planes.push_back(alpha);
@@ -20,23 +24,26 @@ std::vector<const std::vector<float>*> planesOf(const std::filesystem::path& pat
 }
 
 /// Memory must stay in proportion to the file even where the display window is far larger than the data.
-void requireReadableDisplay(const std::filesystem::path& path, const ExrFile& file) {
-  const DisplayWindow& display = file.display;
+void requireReadableDisplay(const std::filesystem::path& path, const ExrFrame& frame) {
+  const DisplayWindow& display = frame.display;
   requireReadableSize(path, display.width, display.height);
-  constexpr std::int64_t kMostTimes = 256;  // a small crop of a large picture
-  if (static_cast<std::int64_t>(display.width) * display.height >
-      kMostTimes * static_cast<std::int64_t>(file.image.pixels())) {
+  if (static_cast<std::int64_t>(display.width) * display.height > kMostDisplayTimesData * frame.width * frame.height) {
     throw pictureError(path, "the display window is far larger than the picture in it");
   }
 }
 
 }  // namespace
 
-StoredPicture readExrPhotograph(const std::filesystem::path& path, ExrColours colours) {
-  ExrFile file = readExr(path, colours);
-  requireReadableDisplay(path, file);
-  const auto planes = planesOf(path, file.image);
-  const DisplayWindow& display = file.display;
+StoredPicture readExrPhotograph(const std::filesystem::path& path, ExrColours colours, int bytesForUse) {
+  const ExrFrame frame = readExrFrame(path);
+  requireReadableDisplay(path, frame);
+  const DisplayWindow& display = frame.display;
+  const std::uint64_t most = 4 * sizeof(float);  // of a pixel in the file and of one on display
+  requireMemoryFor(path, static_cast<std::uint64_t>(frame.width) * static_cast<std::uint64_t>(frame.height) * most +
+                             static_cast<std::uint64_t>(display.width) * static_cast<std::uint64_t>(display.height) *
+                                 (most + static_cast<std::uint64_t>(bytesForUse)));
+  ExrFile file = readExr(path, colours, {.coloursOnly = true});
+  const auto planes = planesOf(path, file.image, frame.channels);
   StoredPicture stored;
   stored.picture.width = display.width;
   stored.picture.height = display.height;

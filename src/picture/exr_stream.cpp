@@ -13,7 +13,7 @@
 #include <fstream>
 #include <system_error>
 
-#include "picture/image.h"
+#include "picture/limits.h"
 
 namespace parhelion {
 namespace {
@@ -28,12 +28,16 @@ class HeaderWalk {
   }
 
   void run() {
-    constexpr std::uint32_t kMagic = 20000630, kMultiPart = 0x1000;
+    constexpr std::uint32_t kMagic = 20000630, kTiled = 0x200, kDeep = 0x800, kMultiPart = 0x1000;
     if (number() != kMagic || !stream_) throw exrError(path_, "not an EXR file");
-    const bool multiPart = (number() & kMultiPart) != 0;
+    const std::uint32_t flags = number();
+    if ((flags & (kTiled | kDeep)) != 0) notFlat();
+    int parts = 0;
     do {
       while (attribute()) continue;
-    } while (multiPart && stream_.peek() != 0);
+      if (++parts > kMostExrParts)
+        throw exrError(path_, "more than " + std::to_string(kMostExrParts) + " parts are not read");
+    } while ((flags & kMultiPart) != 0 && stream_.peek() != 0);
   }
 
  private:
@@ -62,10 +66,12 @@ class HeaderWalk {
     // These carry sizes of their own inside, which OpenEXR trusts.
     if (type == "stringvector" || type == "idmanifest")
       throw exrError(path_, "attributes of type " + type + " are not read");
+    if (type == "tiledesc") notFlat();
     stream_.seekg(bytes, std::ios::cur);
     return true;
   }
 
+  [[noreturn]] void notFlat() const { throw exrError(path_, "only flat EXR files of scan lines are read"); }
   [[noreturn]] void damaged() const { throw exrError(path_, "the EXR header is damaged or cut off"); }
 
   const std::filesystem::path& path_;
@@ -99,21 +105,46 @@ void requireSaneSize(const std::filesystem::path& path, const Imf::Header& heade
   if (width * height > static_cast<std::uint64_t>(kMaxImagePixels)) throw exrError(path, "the picture is too large");
 
   std::uint64_t sampleBytes = 0;
+  int channels = 0;
   for (auto c = header.channels().begin(); c != header.channels().end(); ++c) {
     if (c.channel().xSampling != 1 || c.channel().ySampling != 1) {
       throw exrError(path, "subsampled channels are not read");
     }
     sampleBytes += 4;
+    if (++channels > kMostExrChannels)
+      throw exrError(path, "more than " + std::to_string(kMostExrChannels) + " channels are not read");
   }
-  // Deflate packs at most 1032 to 1, the other lossless codecs less. DWA deflates what is left of 8 x 8 samples, which
-  // is two or more.
-  constexpr std::uint64_t kMostDeflated = 1100, kBlock = 64;
   const Imf::Compression codec = header.compression();
   const bool byBlocks = codec == Imf::DWAA_COMPRESSION || codec == Imf::DWAB_COMPRESSION;
-  const std::uint64_t mostCompressed = kMostDeflated * (byBlocks ? kBlock : 1);
+  const std::uint64_t mostCompressed = kMostExrDeflated * (byBlocks ? kDwaBlock : 1);
   if (width * height * sampleBytes / mostCompressed > std::filesystem::file_size(path)) {
     throw exrError(path, "the header promises more pixels than the file can hold");
   }
+}
+
+int rowsTogether(const Imf::Header& header) {
+  switch (header.compression()) {
+    case Imf::ZIP_COMPRESSION:
+    case Imf::PXR24_COMPRESSION:
+      return 16;
+    case Imf::PIZ_COMPRESSION:
+    case Imf::B44_COMPRESSION:
+    case Imf::B44A_COMPRESSION:
+    case Imf::DWAA_COMPRESSION:
+      return 32;
+    case Imf::DWAB_COMPRESSION:
+      return 256;
+    default:
+      return 1;
+  }
+}
+
+std::uint64_t rowMemory(const Imf::Header& header) {
+  const Imath::Box2i& window = header.dataWindow();
+  const auto width = static_cast<std::uint64_t>(window.max.x - window.min.x) + 1;
+  std::uint64_t channels = 0;
+  for (auto c = header.channels().begin(); c != header.channels().end(); ++c) ++channels;
+  return 2 * sizeof(float) * width * channels * static_cast<std::uint64_t>(rowsTogether(header));
 }
 
 void insertText(Imf::Header& header, const ExrAttributes& attributes) {

@@ -47,12 +47,19 @@ auto withExrErrors(const std::filesystem::path& path, Work work) {
   }
 }
 
-/// Throws exrError unless the file is an EXR whose headers hold only attributes that fit into the file. OpenEXR
-/// itself would allocate what a lying attribute promises.
+/// Throws exrError unless the file is an EXR of flat scan lines whose headers hold only attributes that fit into the
+/// file, and no more parts than limits.h has. OpenEXR itself would allocate what a lying attribute promises, and tables
+/// for all tiles that a header makes up.
 void requireSaneHeaders(const std::filesystem::path& path);
 
 /// Throws exrError unless the part is a flat scan-line picture of a size we accept that the file can hold.
 void requireSaneSize(const std::filesystem::path& path, const Imf::Header& header);
+
+/// Rows that the compression of a part packs together.
+int rowsTogether(const Imf::Header& header);
+
+/// Bytes that OpenEXR takes for such rows, packed and not, of all channels: also of those that nobody asks for.
+std::uint64_t rowMemory(const Imf::Header& header);
 
 /// Text attributes to and from a header; a part's name and type are not among them.
 void insertText(Imf::Header& header, const ExrAttributes& attributes);

@@ -10,12 +10,9 @@
 #include <vector>
 
 #include "math/conventions.h"
+#include "picture/limits.h"
 
 namespace parhelion {
-
-/// Largest width or height, and largest number of pixels, of a picture.
-inline constexpr int kMaxImageSide = 32768;
-inline constexpr int kMaxImagePixels = 1 << 28;
 
 /// One plane of an image, row-major from the top left.
 struct Channel {

@@ -12,6 +12,7 @@
 #include "picture/atomic_file.h"
 #include "picture/icc_profile.h"
 #include "picture/jpeg_segments.h"
+#include "picture/limits.h"
 
 namespace parhelion {
 namespace {
@@ -30,9 +31,8 @@ std::runtime_error jpegError(const std::filesystem::path& path, const Handle& ha
 }
 
 std::vector<std::uint8_t> fileBytes(const std::filesystem::path& path) {
-  constexpr std::uintmax_t kMost = std::uintmax_t{1} << 30;  // the largest picture in its best quality takes less
   const std::uintmax_t size = std::filesystem::file_size(path);
-  if (size > kMost) throw pictureError(path, "the file is too large for a JPEG");
+  if (size > kMostJpegBytes) throw pictureError(path, "the file is too large for a JPEG");
   std::vector<std::uint8_t> bytes(size);
   std::ifstream stream(path, std::ios::binary);
   if (!stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size))) {
@@ -43,7 +43,8 @@ std::vector<std::uint8_t> fileBytes(const std::filesystem::path& path) {
 
 /// Throws unless it is a picture we read, of a size that the file can hold. Takes no memory for it.
 void requireReadable(const std::filesystem::path& path, const Handle& handle, const std::vector<std::uint8_t>& bytes,
-                     const std::optional<JpegFrame>& frame) {
+                     const JpegSegments& segments) {
+  const std::optional<JpegFrame>& frame = segments.frame;
   int width = 0, height = 0, subsampling = 0, colours = 0;
   const int result =
       tjDecompressHeader3(handle.get(), bytes.data(), bytes.size(), &width, &height, &subsampling, &colours);
@@ -58,6 +59,8 @@ void requireReadable(const std::filesystem::path& path, const Handle& handle, co
   if (frame->components.size() != 1 && frame->components.size() != 3) {
     throw pictureError(path, "JPEGs of " + std::to_string(frame->components.size()) + " components are not read");
   }
+  if (segments.scans > kMostJpegScans)
+    throw pictureError(path, "JPEGs of more than " + std::to_string(kMostJpegScans) + " scans are not read");
   requireReadableSize(path, width, height);
   requireFileBytes(path, bytes.size(), leastJpegBytes(*frame));
 }
@@ -78,6 +81,43 @@ std::vector<std::uint8_t> decompressed(const std::filesystem::path& path, const 
   return rgb;
 }
 
+class JpegReader {
+ public:
+  explicit JpegReader(const std::filesystem::path& path)
+      : path_(path), bytes_(fileBytes(path)), segments_(walkJpeg(bytes_)), handle_(tjInitDecompress()) {
+    if (!handle_) throw std::bad_alloc();
+    requireReadable(path, handle_, bytes_, segments_);
+  }
+
+  /// All but the samples.
+  StoredPicture frame() const {
+    StoredPicture stored;
+    stored.picture.width = segments_.frame->width;
+    stored.picture.height = segments_.frame->height;
+    stored.exif = segments_.exif;
+    if (segments_.damagedProfile || !segments_.profile.empty())
+      stored.objection = profileObjection(segments_.profile, segments_.frame->components.size() == 1);
+    return stored;
+  }
+
+  /// What samples() and the use of each pixel take. A picture in several scans is kept as coefficients first.
+  std::uint64_t memory(int bytesForUse) const {
+    constexpr std::uint64_t kRgb = 3, kCoefficients = 3 * sizeof(std::int16_t);
+    const auto pixels =
+        static_cast<std::uint64_t>(segments_.frame->width) * static_cast<std::uint64_t>(segments_.frame->height);
+    const std::uint64_t coefficients = segments_.scans > 1 ? kCoefficients : 0;
+    return bytes_.size() + pixels * (kRgb + coefficients + static_cast<std::uint64_t>(bytesForUse));
+  }
+
+  std::vector<std::uint8_t> samples() const { return decompressed(path_, handle_, bytes_, segments_); }
+
+ private:
+  const std::filesystem::path& path_;
+  std::vector<std::uint8_t> bytes_;
+  JpegSegments segments_;
+  Handle handle_;
+};
+
 /// A marker segment of an APPn or COM.
 void writeSegment(AtomicFile& file, int marker, std::string_view start, std::string_view payload) {
   const std::size_t length = 2 + start.size() + payload.size();
@@ -90,23 +130,15 @@ void writeSegment(AtomicFile& file, int marker, std::string_view start, std::str
 
 }  // namespace
 
-StoredPicture readJpeg(const std::filesystem::path& path) {
-  const std::vector<std::uint8_t> bytes = fileBytes(path);
-  JpegSegments segments = walkJpeg(bytes);
-  const Handle handle(tjInitDecompress());
-  if (!handle) throw std::bad_alloc();
-  requireReadable(path, handle, bytes, segments.frame);
-
-  StoredPicture stored;
-  stored.picture.width = segments.frame->width;
-  stored.picture.height = segments.frame->height;
-  stored.picture.samples = decompressed(path, handle, bytes, segments);
-  stored.exif = std::move(segments.exif);
-  if (segments.damagedProfile || !segments.profile.empty()) {
-    stored.objection = profileObjection(segments.profile, segments.frame->components.size() == 1);
-  }
+StoredPicture readJpeg(const std::filesystem::path& path, int bytesForUse) {
+  JpegReader reader(path);
+  StoredPicture stored = reader.frame();
+  requireMemoryFor(path, reader.memory(bytesForUse));
+  stored.picture.samples = reader.samples();
   return stored;
 }
+
+StoredPicture readJpegFrame(const std::filesystem::path& path) { return JpegReader(path).frame(); }
 
 std::string readJpegComments(const std::filesystem::path& path) {
   std::string all;

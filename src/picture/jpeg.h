@@ -15,7 +15,11 @@ namespace parhelion {
 /// Reads a JPEG of 8 bits, grey or colour, baseline or progressive, as RGB. Bytes that do not belong there before a
 /// marker are passed over, as many photographs have them. Throws std::runtime_error "path: reason" for anything else
 /// that is wrong with it.
-StoredPicture readJpeg(const std::filesystem::path& path);
+/// Before it takes memory for the samples, and for the caller's `bytesForUse` a pixel, it asks requireMemoryFor().
+StoredPicture readJpeg(const std::filesystem::path& path, int bytesForUse = 0);
+
+/// The same without the samples.
+StoredPicture readJpegFrame(const std::filesystem::path& path);
 
 /// Its comments, a line each. Nothing where it is damaged before them. Throws std::runtime_error "path: reason" where
 /// the file cannot be read.

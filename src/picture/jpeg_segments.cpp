@@ -12,7 +12,7 @@ namespace {
 using Bytes = std::span<const std::uint8_t>;
 
 // Markers, the byte after 0xFF (ITU-T T.81, table B.1).
-constexpr int kRestart0 = 0xD0, kRestart7 = 0xD7, kStart = 0xD8, kEnd = 0xD9, kTemporary = 0x01;
+constexpr int kRestart0 = 0xD0, kRestart7 = 0xD7, kStart = 0xD8, kEnd = 0xD9, kScan = 0xDA, kTemporary = 0x01;
 constexpr int kApp1 = 0xE1, kApp2 = 0xE2, kComment = 0xFE;
 
 bool isFrame(int marker) {
@@ -99,6 +99,7 @@ JpegSegments walkJpeg(Bytes jpeg) {
     if (marker == kStart || marker == kTemporary) continue;
     const std::optional<Bytes> segment = walk.segment();
     if (!segment) break;
+    if (marker == kScan) ++found.scans;
     if (isFrame(marker) && !found.frame) found.frame = frameOf(marker, *segment);
     if (marker == kApp1 && found.exif.empty() && startsWith(*segment, kExif)) {
       found.exif.assign(segment->begin() + kExif.size(), segment->end());

@@ -29,6 +29,7 @@ struct JpegSegments {
   std::vector<std::string> comments;
   bool damagedProfile = false;  // parts of the profile are missing
   bool complete = false;        // there is an end of the image
+  int scans = 0;                // as far as the file goes
 };
 
 /// Walks through the marker segments of a JPEG; stays inside `jpeg` whatever they say.

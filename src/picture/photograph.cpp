@@ -30,12 +30,14 @@ std::array<char, 8> firstBytes(const std::filesystem::path& path) {
   return bytes;
 }
 
+constexpr std::string_view kJpegStart = "\xff\xd8\xff", kPngStart = "\x89PNG\r\n\x1a\n", kExrStart = "\x76\x2f\x31\x01";
+
 StoredPicture readStored(const std::filesystem::path& path, const PhotographRules& rules) {
   const std::array<char, 8> first = firstBytes(path);
   const std::string_view start(first.data(), first.size());
-  if (start.starts_with("\xff\xd8\xff")) return readJpeg(path);
-  if (start == "\x89PNG\r\n\x1a\n") return readPng(path);
-  if (start.starts_with("\x76\x2f\x31\x01")) return readExrPhotograph(path, exrColours(rules));
+  if (start.starts_with(kJpegStart)) return readJpeg(path, rules.bytesForUse);
+  if (start == kPngStart) return readPng(path, rules.bytesForUse);
+  if (start.starts_with(kExrStart)) return readExrPhotograph(path, exrColours(rules), rules.bytesForUse);
   throw pictureError(path, "not a JPEG, PNG or EXR file");
 }
 
@@ -57,6 +59,16 @@ Photograph readPhotograph(const std::filesystem::path& path, const PhotographRul
   } catch (const std::bad_alloc&) {
     throw pictureError(path, "not enough memory");
   }
+}
+
+Photograph readPhotographHeader(const std::filesystem::path& path) {
+  const std::array<char, 8> first = firstBytes(path);
+  const std::string_view start(first.data(), first.size());
+  if (!start.starts_with(kJpegStart) && start != kPngStart) throw pictureError(path, "not a JPEG or PNG file");
+  StoredPicture stored = start == kPngStart ? readPngFrame(path) : readJpegFrame(path);
+  stored.picture.exif = readExif(stored.exif);
+  turnUpright(stored.picture, stored.picture.exif.orientation);
+  return std::move(stored.picture);
 }
 
 }  // namespace parhelion

@@ -40,23 +40,26 @@ inline float linearAt(const Samples& samples, std::size_t i) {
 
 struct PhotographRules {
   bool assumeSrgb = false;  // take the samples as sRGB, whatever colour space the file is tagged with
+  int bytesForUse = 0;      // a pixel, that the caller is going to take beside the samples
 };
 
 /// How an EXR is to be read by these rules.
 ExrColours exrColours(const PhotographRules& rules);
 
-/// Photographs with more pixels than this are not read.
-inline constexpr std::int64_t kMaxPhotographPixels = std::int64_t{1} << 27;
-
 /// Reads a JPEG (8 bits, grey or colour, baseline or progressive), a PNG (any kind) or an EXR (flat scan lines). The
 /// file's first bytes tell which of them it is. The picture is turned upright by its Exif orientation.
 ///
-/// Memory is bounded by the size that the header states, which must be plausible for the file's length.
+/// Before memory is taken, the size that the header states must be plausible for the file's length, and samples and use
+/// together must find room (requireMemoryFor).
 ///
 /// An EXR with other chromaticities is converted as readExr() does. Throws std::runtime_error "path: reason", in one
 /// line, where the file is damaged, cut short, too large, of another kind or, a JPEG or PNG, tagged with a colour space
 /// other than sRGB. The message names that colour space.
 Photograph readPhotograph(const std::filesystem::path& path, const PhotographRules& rules = {});
+
+/// The same of a JPEG or PNG without its samples, whatever its colours are: only the kind of samples is right. It takes
+/// no memory for pixels. Of a JPEG it does not notice whether they are all there.
+Photograph readPhotographHeader(const std::filesystem::path& path);
 
 /// The extension of a file's name, in small letters and with its dot. Empty where the name has none.
 std::string extensionOf(const std::filesystem::path& path);

@@ -15,13 +15,15 @@
 
 #include "picture/chromaticities.h"
 #include "picture/icc_profile.h"
+#include "picture/limits.h"
+#include "picture/png_chunks.h"
 
 namespace parhelion {
 namespace {
 
-// A chunk may take this much, unpacked, and so many of them are kept: profiles and texts are far smaller and fewer.
-constexpr png_alloc_size_t kMostChunkBytes = png_alloc_size_t{1} << 22;
-constexpr png_uint_32 kMostChunks = 16;
+// Chunks of which we make nothing: names of kinds, each with its zero, one behind the other.
+constexpr std::size_t kNameBytes = 5;
+constexpr png_byte kUnused[] = "sPLT\0pCAL\0sCAL\0hIST\0bKGD\0sBIT\0oFFs\0pHYs\0tIME";
 
 /// What libpng's callbacks share with us. They record; nothing is thrown through C.
 struct Source {
@@ -50,24 +52,36 @@ void onRead(png_structp png, png_bytep data, std::size_t bytes) {
 // A jump from an error lands in one of the next functions and passes over C frames only: nothing in them has a
 // destructor.
 
-bool readInfo(png_structp png, png_infop info, Source* source) {
+bool readInfo(png_structp png, png_infop info, Source* source, const std::string& large) {
   if (setjmp(png_jmpbuf(png))) return false;
   png_set_read_fn(png, source, onRead);
   png_set_user_limits(png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);  // we say what is too large
-  png_set_chunk_malloc_max(png, kMostChunkBytes);
-  png_set_chunk_cache_max(png, kMostChunks);
+  png_set_chunk_malloc_max(png, kMostPngChunk);
+  png_set_chunk_cache_max(png, kMostPngChunks);
+  png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_NEVER, kUnused, sizeof kUnused / kNameBytes);
+  png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_NEVER, reinterpret_cast<png_const_bytep>(large.data()),
+                              static_cast<int>(large.size() / kNameBytes));
   png_read_info(png, info);
   return true;
 }
 
-/// Asks for RGB or RGBA of 8 bits or 16 in this machine's order.
-bool startRows(png_structp png, png_infop info) {
-  if (setjmp(png_jmpbuf(png))) return false;
+/// Asks for RGB or RGBA of 8 bits or 16 in this machine's order. Returns how often the rows come, 0 after an error.
+int startRows(png_structp png, png_infop info) {
+  if (setjmp(png_jmpbuf(png))) return 0;
   png_set_expand(png);
   png_set_gray_to_rgb(png);
   if constexpr (std::endian::native == std::endian::little) png_set_swap(png);
-  png_set_interlace_handling(png);
+  const int passes = png_set_interlace_handling(png);
   png_read_update_info(png, info);
+  return passes;
+}
+
+/// Goes over the rows to what stands behind them.
+bool skipRows(png_structp png, png_infop info, int passes) {
+  if (setjmp(png_jmpbuf(png))) return false;
+  const png_uint_32 rows = png_get_image_height(png, info) * static_cast<png_uint_32>(passes);
+  for (png_uint_32 row = 0; row < rows; ++row) png_read_row(png, nullptr, nullptr);
+  png_read_end(png, info);
   return true;
 }
 
@@ -95,24 +109,26 @@ class PngReader {
   PngReader& operator=(const PngReader&) = delete;
 
   std::map<std::string, std::string> readText() {
-    if (!readInfo(png_, info_, &source_)) fail();
+    readHeader();
     return text();
   }
 
-  StoredPicture read() {
-    if (!readInfo(png_, info_, &source_)) fail();
-    requirePlausible();
-    grey_ = (png_get_color_type(png_, info_) & PNG_COLOR_MASK_COLOR) == 0;
-    if (!startRows(png_, info_)) fail();
+  StoredPicture read(int bytesForUse) {
+    startPicture();
+    const std::uint64_t bytes = isDeep() ? 2 : 1, pixelBytes = bytes * png_get_channels(png_, info_);
+    requireMemoryFor(path_, pixels() * (pixelBytes + static_cast<unsigned>(bytesForUse)));
+    Samples all = isDeep() ? samples<std::uint16_t>() : samples<std::uint8_t>();
+    StoredPicture stored = frame();
+    stored.picture.samples = std::move(all);
+    return stored;
+  }
 
-    StoredPicture stored;
-    stored.picture.width = static_cast<int>(png_get_image_width(png_, info_));
-    stored.picture.height = static_cast<int>(png_get_image_height(png_, info_));
-    stored.picture.channels = png_get_channels(png_, info_);
-    stored.picture.samples = png_get_bit_depth(png_, info_) == 16 ? samples<std::uint16_t>() : samples<std::uint8_t>();
-    stored.picture.text = text();
-    stored.exif = exif();
-    stored.objection = objection();
+  /// All but the samples, of which there is only the kind.
+  StoredPicture readFrame() {
+    startPicture();
+    if (!skipRows(png_, info_, passes_)) fail();
+    StoredPicture stored = frame();
+    if (isDeep()) stored.picture.samples = std::vector<std::uint16_t>();
     return stored;
   }
 
@@ -120,6 +136,43 @@ class PngReader {
   struct Close {
     void operator()(std::FILE* file) const { std::fclose(file); }
   };
+
+  void startPicture() {
+    if (!readHeader()) throw pictureError(path_, "PNG: the file is damaged or cut short");
+    requirePlausible();
+    grey_ = (png_get_color_type(png_, info_) & PNG_COLOR_MASK_COLOR) == 0;
+    passes_ = startRows(png_, info_);
+    if (passes_ == 0) fail();
+  }
+
+  /// What stands around the pixels, before them or behind.
+  StoredPicture frame() const {
+    StoredPicture stored;
+    stored.picture.width = static_cast<int>(png_get_image_width(png_, info_));
+    stored.picture.height = static_cast<int>(png_get_image_height(png_, info_));
+    stored.picture.channels = png_get_channels(png_, info_);
+    stored.picture.text = text();
+    stored.exif = exif();
+    stored.objection = objection();
+    return stored;
+  }
+
+  std::uint64_t pixels() const {
+    return std::uint64_t{png_get_image_width(png_, info_)} * png_get_image_height(png_, info_);
+  }
+
+  /// Whether all chunks are there.
+  bool readHeader() {
+    const PngChunks chunks = walkPng(source_.file);
+    if (chunks.large.contains("eXIf")) throw pictureError(path_, "PNG: its Exif block is larger than any camera's");
+    source_.badProfile = chunks.large.contains("iCCP");
+    std::string large;
+    for (const std::string& kind : chunks.large) large.append(kind).push_back('\0');
+    if (!readInfo(png_, info_, &source_, large)) fail();
+    return chunks.whole;
+  }
+
+  bool isDeep() const { return png_get_bit_depth(png_, info_) == 16; }
 
   [[noreturn]] void fail() const { throw pictureError(path_, std::string("PNG: ") + source_.message.data()); }
 
@@ -129,8 +182,7 @@ class PngReader {
     const std::uint64_t pixelBits =
         static_cast<std::uint64_t>(png_get_bit_depth(png_, info_)) * png_get_channels(png_, info_);
     const std::uint64_t rawBytes = ((width * pixelBits + 7) / 8 + 1) * height;
-    constexpr std::uint64_t kMostPacked = 1032;  // deflate: 258 bytes by two codes of one bit
-    requireFileBytes(path_, std::filesystem::file_size(path_), rawBytes / kMostPacked);
+    requireFileBytes(path_, std::filesystem::file_size(path_), rawBytes / kMostDeflated);
   }
 
   template <typename Sample>
@@ -188,11 +240,14 @@ class PngReader {
   png_structp png_ = nullptr;
   png_infop info_ = nullptr;
   bool grey_ = false;
+  int passes_ = 0;  // over the rows
 };
 
 }  // namespace
 
-StoredPicture readPng(const std::filesystem::path& path) { return PngReader(path).read(); }
+StoredPicture readPng(const std::filesystem::path& path, int bytesForUse) { return PngReader(path).read(bytesForUse); }
+
+StoredPicture readPngFrame(const std::filesystem::path& path) { return PngReader(path).readFrame(); }
 
 std::map<std::string, std::string> readPngText(const std::filesystem::path& path) { return PngReader(path).readText(); }
 

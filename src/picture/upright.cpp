@@ -63,6 +63,7 @@ void turnUpright(Photograph& photograph, int orientation) {
   const int width = photograph.width, height = photograph.height;
   std::visit(
       [&](auto& samples) {
+        if (samples.empty()) return;  // only what surrounds them is wanted
         samples = photograph.channels == 4 ? turned<4>(samples, route, width, height)
                                            : turned<3>(samples, route, width, height);
       },

@@ -71,7 +71,8 @@ double sunElevationIn(const std::filesystem::path& sky) {
 }
 
 PhotoHalo readHalo(const std::filesystem::path& path, const PhotoCamera& camera) {
-  const ExrFile sky = readExr(path);
+  constexpr int kOfLookup = 32;  // bytes a pixel
+  const ExrFile sky = readExr(path, ExrColours::rec709, {true, kOfLookup});
   const LoadedScene loaded = sceneIn(sky.attributes, path.string());
   requireSky(sky, path.string());
   requireSameSun(loaded.scene.sun.elevation, camera.sunElevation, path.string());

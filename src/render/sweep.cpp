@@ -37,7 +37,7 @@ std::optional<TraceReport> renderFrame(const SweepFrame& frame, const TraceContr
 double medianExposure(std::span<const SweepFrame> frames) {
   std::vector<double> stops;
   for (const SweepFrame& frame : frames) {
-    const Image image = readExr(frame.exr).image;
+    const Image image = readExr(frame.exr, ExrColours::rec709, {true}).image;
     const std::vector<float>& green = *image.rgb()[1];
     if (std::any_of(green.begin(), green.end(), [](float g) { return g > 0.0F; })) stops.push_back(autoExposure(image));
   }
@@ -89,7 +89,7 @@ std::optional<SweepPreviews> writePreviews(std::span<const SweepFrame> frames, c
   std::vector<SheetCell> cells;
   for (const SweepFrame& frame : frames) {
     if (settings.stop && *settings.stop) return std::nullopt;
-    const Image image = readExr(frame.exr).image;
+    const Image image = readExr(frame.exr, ExrColours::rec709, {true}).image;
     const Preview preview = developPreview(image, {written.exposure});
     written.badPixels += preview.badPixels;
     writePreview(frame.png(), preview, written.exposure, frame.loaded.text);

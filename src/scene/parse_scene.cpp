@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "crystal/symmetry.h"
+#include "picture/limits.h"
 #include "scene/overrides.h"
 #include "scene/scene_keys.h"
 #include "scene/text_guard.h"
@@ -18,7 +19,6 @@ namespace parhelion {
 
 namespace {
 
-constexpr std::size_t kMaxBytes = 1 << 20;  // no scene comes near; a wrong file often does
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
 toml::table parseToml(std::string_view text, std::string_view fileName, Complaints& complaints) {
@@ -79,7 +79,7 @@ std::string readSceneText(const std::filesystem::path& path) {
 
   errno = 0;
   std::ifstream file(path, std::ios::binary);
-  std::string text(kMaxBytes + 1, '\0');
+  std::string text(kMostSceneBytes + 1, '\0');
   if (file) file.read(text.data(), static_cast<std::streamsize>(text.size()));
   if (!file.eof() && !file.good()) {
     throw std::runtime_error(path.string() + ": " + std::generic_category().message(errno != 0 ? errno : EIO));
@@ -93,7 +93,7 @@ LoadedScene loadScene(const std::filesystem::path& path, std::span<const std::st
 }
 
 LoadedScene parseScene(std::string_view text, std::string_view fileName, std::span<const std::string> overrides) {
-  if (text.size() > kMaxBytes) throwFileError(fileName, "larger than 1 MiB: this is no scene file");
+  if (text.size() > kMostSceneBytes) throwFileError(fileName, "larger than 1 MiB: this is no scene file");
   const bool hasMark = text.starts_with(kByteOrderMark);
   const std::string_view body = text.substr(hasMark ? kByteOrderMark.size() : 0);
 

@@ -3,14 +3,12 @@
 
 #include <utility>
 
+#include "picture/limits.h"
 #include "scene/utf8.h"
 
 namespace parhelion {
 
 namespace {
-
-// A scene needs four: population, orientation, zenith, normal.
-constexpr std::size_t kMaxNesting = 16;
 
 bool isBlank(char32_t c) { return c == ' ' || c == '\t'; }
 
@@ -139,8 +137,8 @@ class Scanner {
     if (c == ']' || c == '}') closeBracket(static_cast<char>(c));
     if (c == '.') ++dots_;
     if (c == '\n' || c == '=' || c == ',' || c == '[' || c == '{') dots_ = 0;
-    if (open_.size() > kMaxNesting || dots_ > kMaxNesting) {
-      report(std::string("nested more than ").append(std::to_string(kMaxNesting)) + " deep", "");
+    if (open_.size() > kMostNesting || dots_ > kMostNesting) {
+      report(std::string("nested more than ").append(std::to_string(kMostNesting)) + " deep", "");
     }
   }
 

@@ -153,8 +153,8 @@ struct SumsExr::File {
 };
 
 SumsPart listPart(std::string name, std::size_t numbers) {
-  constexpr std::size_t kRow = 4096;
-  const std::size_t width = std::clamp<std::size_t>(numbers, 1, kRow);
+  constexpr std::size_t kRow = 4096, kManyNumbers = kRow * kRow;
+  const std::size_t width = numbers > kManyNumbers ? kMaxImageSide : std::clamp<std::size_t>(numbers, 1, kRow);
   return {std::move(name), static_cast<int>(width), std::max(1, static_cast<int>((numbers + width - 1) / width))};
 }
 

@@ -4,14 +4,17 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "picture/exr_stream.h"
+#include "picture/limits.h"
 #include "sky/sums_exr.h"
 #include "sky/tally_checks.h"
 #include "sky/tally_info_text.h"
+#include "sky/tally_kind.h"
 
 namespace parhelion {
 namespace {
@@ -78,10 +81,17 @@ TallyInfo infoOf(const std::filesystem::path& path, const SumsExr& file) {
   return info;
 }
 
+std::uint64_t memoryOf(const SumsExr& file) {
+  std::uint64_t bytes = 0;
+  for (const SumsPart& part : file.parts()) bytes += sizeof(std::int64_t) * part.size();
+  return bytes;
+}
+
 }  // namespace
 
 void writeTallyExr(const Output& output, const Tally& tally) {
   ExrAttributes attributes = textFromInfo(tally.info);
+  attributes["kind"] = std::string(nameOf(TallyKind::sky));
   attributes["software"] = "Parhelion " + tally.info.version;
   const auto slots = static_cast<std::size_t>(tally.slots());
   writeSumsExr(
@@ -95,12 +105,17 @@ void writeTallyExr(const Output& output, const Tally& tally) {
 
 TallyInfo readTallyInfo(const std::filesystem::path& path) {
   const SumsExr file(path);
-  return withExrErrors(path, [&] { return infoOf(path, file); });
+  return withExrErrors(path, [&] {
+    requireTallyKind(path, file, TallyKind::sky);
+    return infoOf(path, file);
+  });
 }
 
 Tally readTallyExr(const std::filesystem::path& path) {
   SumsExr file(path);
   return withExrErrors(path, [&] {
+    requireTallyKind(path, file, TallyKind::sky);
+    requireMemoryFor(path, memoryOf(file));
     const bool grey = std::ranges::find(file.parts(), "X", &SumsPart::name) == file.parts().end();
     Tally tally(infoOf(path, file), grey ? 1 : 3);
     RadialSky* rings = tally.rings() ? &tally.makeRings(tally.info.toSun()) : nullptr;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace parhelion {
 
@@ -15,8 +16,23 @@ void BundleBins::add(const BundleDeposits<double>& bundle) {
 
 void BundleBins::merge(const BundleBins& other) {
   for (int i = 0; i < size(); ++i) {
-    addFixed(sums_[i], other.sums_[i]);
+    std::int64_t sum = sums_[i];
+    addFixed(sum, other.sums_[i]);
+    SquareTotal(squares_[i]).merge(other.squares_[i]);
+  }
+  for (int i = 0; i < size(); ++i) {
+    sums_[i] += other.sums_[i];
     squares_[i].merge(other.squares_[i]);
+  }
+}
+
+void BundleBins::subtract(const BundleBins& other) {
+  for (int i = 0; i < size(); ++i)
+    if (other.sums_[i] > sums_[i] || other.squares_[i].units() > squares_[i].units())
+      throw std::overflow_error("more light is taken out of a bin than is in it");
+  for (int i = 0; i < size(); ++i) {
+    sums_[i] -= other.sums_[i];
+    squares_[i].subtract(other.squares_[i]);
   }
 }
 

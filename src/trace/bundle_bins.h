@@ -42,7 +42,19 @@ class BundleBins {
 
   int size() const { return static_cast<int>(sums_.size()); }
   void add(const BundleDeposits<double>& bundle);
+
+  /// Adds as many other bins, or takes out again what was added. Where they throw std::overflow_error, nothing has
+  /// changed.
   void merge(const BundleBins& other);
+  void subtract(const BundleBins& other);
+
+  /// The numbers of a bin, for files: units of kWeightScale and of kSquareScale.
+  std::int64_t sum(int bin) const { return sums_[bin]; }
+  SquareTotal::Units squares(int bin) const { return squares_[bin].units(); }
+  void set(int bin, std::int64_t sum, SquareTotal::Units squares) {
+    sums_[bin] = sum;
+    squares_[bin] = SquareTotal(squares);
+  }
 
   /// The light in a bin, in the unit of the deposits.
   double light(int bin) const { return fromFixed(sums_[bin]); }

@@ -33,6 +33,7 @@ struct RayQueue {
 
   int ray(int member, int place) const { return member * room + place; }
   int placeOf(int ray) const { return ray & (room - 1); }
+  int memberOf(int ray) const { return ray / room; }
 
   int room;       // a power of two
   int members;    // rays per bundle

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include <glm/geometric.hpp>
 
@@ -21,7 +22,7 @@ constexpr double kBeyondLastBin = 1e-12;
 }  // namespace
 
 ScatterProfile::ScatterProfile(int bins, double from, double to)
-    : from_(from), width_((to - from) / bins), bins_(bins) {}
+    : from_(from), to_(to), width_((to - from) / bins), bins_(bins) {}
 
 int ScatterProfile::binAt(double angle) const {
   // The last bin is closed: light straight back belongs to it.
@@ -85,6 +86,22 @@ void ScatterProfile::addRay(const TracedRays& traced, int member, int place) {
   volumePerArea_.add(perArea * crystal.volume());
 }
 
+const std::array<ScatterProfile::Total, 13> ScatterProfile::kTotals{{
+    {"intercepted", &ScatterProfile::intercepted_},
+    {"undeviated", &ScatterProfile::undeviated_},
+    {"cosine", &ScatterProfile::cosine_},
+    {"cosine.squares", &ScatterProfile::cosineSquared_},
+    {"path", &ScatterProfile::path_},
+    {"path.squares", &ScatterProfile::pathSquared_},
+    {"cutOff", &ScatterProfile::cutOff_},
+    {"lost", &ScatterProfile::lost_},
+    {"order.rest", &ScatterProfile::byOrderRest_},
+    {"weight", &ScatterProfile::weight_},
+    {"perArea", &ScatterProfile::perArea_},
+    {"surfacePerArea", &ScatterProfile::surfacePerArea_},
+    {"volumePerArea", &ScatterProfile::volumePerArea_},
+}};
+
 std::unique_ptr<Film> ScatterProfile::forThread() { return std::make_unique<ScatterProfile>(empty()); }
 
 void ScatterProfile::merge(Film& fromThread) {
@@ -92,15 +109,30 @@ void ScatterProfile::merge(Film& fromThread) {
   bins_.merge(other.bins_);
   rays_ += other.rays_;
   bundles_ += other.bundles_;
-  for (const auto sum :
-       {&ScatterProfile::intercepted_, &ScatterProfile::undeviated_, &ScatterProfile::cosine_,
-        &ScatterProfile::cosineSquared_, &ScatterProfile::path_, &ScatterProfile::pathSquared_,
-        &ScatterProfile::cutOff_, &ScatterProfile::lost_, &ScatterProfile::byOrderRest_, &ScatterProfile::weight_,
-        &ScatterProfile::perArea_, &ScatterProfile::surfacePerArea_, &ScatterProfile::volumePerArea_})
-    (this->*sum).merge(other.*sum);
+  for (const Total& total : kTotals) (this->*total.sum).merge(other.*total.sum);
   byOrder_.resize(std::max(byOrder_.size(), other.byOrder_.size()));
   for (std::size_t k = 0; k < other.byOrder_.size(); ++k) byOrder_[k].merge(other.byOrder_[k]);
   other = empty();
+}
+
+NamedTotals ScatterProfile::totals() const {
+  NamedTotals totals{{"bundles", static_cast<ExactSum::Units>(bundles_)},
+                     {"rays", static_cast<ExactSum::Units>(rays_)}};
+  for (const Total& total : kTotals) totals[total.name] = (this->*total.sum).units();
+  for (std::size_t k = 0; k < byOrder_.size(); ++k) totals["order." + std::to_string(k)] = byOrder_[k].units();
+  return totals;
+}
+
+void ScatterProfile::setTotals(const NamedTotals& totals) {
+  bundles_ = static_cast<std::uint64_t>(totals.at("bundles"));
+  rays_ = static_cast<std::uint64_t>(totals.at("rays"));
+  for (const Total& total : kTotals) this->*total.sum = ExactSum(totals.at(total.name));
+  byOrder_.clear();
+  for (std::size_t k = 0; k < kOrders; ++k) {
+    const auto found = totals.find("order." + std::to_string(k));
+    if (found == totals.end()) break;
+    byOrder_.emplace_back(found->second);
+  }
 }
 
 std::vector<ScatterProfile::Bin> ScatterProfile::bins() const {

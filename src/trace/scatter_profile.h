@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "math/exact_sum.h"
 #include "trace/bundle_bins.h"
 #include "trace/film.h"
+#include "trace/named_totals.h"
 
 namespace parhelion {
 
@@ -22,6 +24,16 @@ class ScatterProfile : public Film {
   int add(const TracedRays& traced) override;
   std::unique_ptr<Film> forThread() override;
   void merge(Film& fromThread) override;
+
+  /// All that it has summed, for files and for adding profiles of different rays. setTotals() takes what totals()
+  /// gives: throws std::out_of_range where one is missing.
+  NamedTotals totals() const;
+  void setTotals(const NamedTotals& totals);
+  const BundleBins& sums() const { return bins_; }
+  BundleBins& sums() { return bins_; }
+
+  double from() const { return from_; }  // rad
+  double to() const { return to_; }
 
   struct Bin {
     double from, to;  // rad
@@ -46,17 +58,24 @@ class ScatterProfile : public Film {
 
  private:
   static constexpr int kNoBin = -1;
-  ScatterProfile empty() const { return {bins_.size(), from_, from_ + width_ * bins_.size()}; }
+  ScatterProfile empty() const { return {bins_.size(), from_, to_}; }
   int binAt(double angle) const;
 
   void addExit(const TracedRays& traced, int exit);
+  /// The totals that have a name of their own.
+  struct Total {
+    const char* name;
+    ExactSum ScatterProfile::*sum;
+  };
+  static const std::array<Total, 13> kTotals;
+
   ExactSum& orderSum(std::size_t order);
   void addRay(const TracedRays& traced, int member, int place);
 
   /// Standard error of `sum` over the intercepted light, from the sum of its squares per bundle.
   double errorOf(const ExactSum& sum, const ExactSum& squares) const;
 
-  double from_, width_;
+  double from_, to_, width_;
   BundleBins bins_;
   BundleDeposits<double> deposits_;
   ByBundle byBundle_;

@@ -48,6 +48,15 @@ void SkyMap::merge(Film& fromThread) {
   other = empty();
 }
 
+NamedTotals SkyMap::totals() const {
+  return {{"bundles", static_cast<ExactSum::Units>(bundles_)}, {"intercepted", intercepted_.units()}};
+}
+
+void SkyMap::setTotals(const NamedTotals& totals) {
+  bundles_ = static_cast<std::uint64_t>(totals.at("bundles"));
+  intercepted_ = ExactSum(totals.at("intercepted"));
+}
+
 double SkyMap::azimuth(int column) const { return (column - binsPerHalfTurn_) * (kPi / binsPerHalfTurn_); }
 
 double SkyMap::elevation(int row) const { return (row - binsPerHalfTurn_ / 2) * (kPi / binsPerHalfTurn_); }

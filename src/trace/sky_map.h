@@ -6,6 +6,7 @@
 #include "math/exact_sum.h"
 #include "trace/bundle_bins.h"
 #include "trace/film.h"
+#include "trace/named_totals.h"
 
 namespace parhelion {
 
@@ -21,6 +22,14 @@ class SkyMap : public Film {
   std::unique_ptr<Film> forThread() override;
   void merge(Film& fromThread) override;
 
+  /// All that it has summed, for files and for adding maps of different rays. setTotals() takes what totals() gives:
+  /// throws std::out_of_range where one is missing.
+  NamedTotals totals() const;
+  void setTotals(const NamedTotals& totals);
+  const BundleBins& sums() const { return bins_; }
+  BundleBins& sums() { return bins_; }
+
+  int binsPerHalfTurn() const { return binsPerHalfTurn_; }
   int columns() const { return 2 * binsPerHalfTurn_; }
   int rows() const { return binsPerHalfTurn_ + 1; }
   double azimuth(int column) const;  // rad, of a column's centre

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <doctest/doctest.h>
 
-#include <sys/resource.h>
 #include <sys/stat.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 
+#include "memory_taken.h"
 #include "picture/photograph.h"
 #include "picture_files.h"
 #include "temporary_directory.h"
@@ -26,28 +25,6 @@ std::string reasonOf(const std::filesystem::path& path, const std::string& bytes
   CHECK(error.find_first_of("\n\r") == std::string::npos);
   CHECK(error.size() > path.string().size() + 5);
   return error.substr(path.string().size() + 2);
-}
-
-/// Megabytes of memory that `work` takes at its peak, seen in a process of its own, which has no earlier peak; 255 for
-/// all that is more. It throws nothing and checks nothing.
-template <typename Work>
-int megabytesOf(Work work) {
-  const auto peak = [] {
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    return usage.ru_maxrss / 1024;
-  };
-  const pid_t child = ::fork();
-  REQUIRE(child >= 0);
-  if (child == 0) {
-    const long before = peak();
-    work();
-    ::_exit(static_cast<int>(std::min(peak() - before, 255L)));
-  }
-  int status = 0;
-  REQUIRE(::waitpid(child, &status, 0) == child);
-  REQUIRE(WIFEXITED(status));
-  return WEXITSTATUS(status);
 }
 
 /// Deflated spaces, made without ever having them all.
