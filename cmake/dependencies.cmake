@@ -25,6 +25,10 @@ if(NOT embree_FOUND)
 endif()
 message(STATUS "Embree ${embree_VERSION}")
 
+if(PARHELION_MPI)
+  find_package(MPI REQUIRED COMPONENTS CXX)
+endif()
+
 if(PARHELION_TESTS)
   find_package(doctest CONFIG REQUIRED)
 endif()

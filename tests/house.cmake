@@ -17,7 +17,7 @@ set(may_scene sky picture crystal optics math)
 set(settings_scene trace recon)
 set(may_render scene trace recon photo view sky picture crystal optics math parallel)
 set(may_cli render scene view photo trace recon sky picture crystal optics math parallel)
-set(may_main cli scene)
+set(may_main cli render parallel)
 
 # Third-party header (a regular expression of the start of its name) and the folders in which it may appear.
 set(third_party
@@ -25,6 +25,7 @@ set(third_party
   "sleef\\.h|math"
   "xxhash\\.h|math"
   "embree[34]/|trace"
+  "mpi\\.h|render"
   "tbb/|parallel,trace"
   "kissfft/|recon"
   "Imf|picture,sky"

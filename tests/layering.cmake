@@ -14,7 +14,7 @@ if(count LESS 20)
 endif()
 
 foreach(source IN LISTS sources)
-  if(source STREQUAL "main.cpp")
+  if(source MATCHES "^main(_mpi)?\\.cpp$")
     set(folder main)
   else()
     string(REGEX REPLACE "/.*" "" folder ${source})

@@ -18,15 +18,15 @@ void requireValues(CLI::App& app) {
 
 }  // namespace
 
-void addCommands(CLI::App& app, int& exit) {
-  addRender(app, exit);
-  addTrace(app, exit);
+void addCommands(CLI::App& app, int& exit, Tracers& tracers) {
+  addRender(app, exit, tracers);
+  addTrace(app, exit, tracers);
   addRecon(app, exit);
   addComposite(app, exit);
   addSweep(app, exit);
   addView(app, exit);
-  addProfile(app, exit);
-  addMap(app, exit);
+  addProfile(app, exit, tracers);
+  addMap(app, exit, tracers);
   addReplay(app, exit);
   addInfo(app, exit);
   addCheck(app, exit);

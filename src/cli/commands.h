@@ -3,6 +3,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "render/tracers.h"
+
 namespace parhelion::cli {
 
 /// What `parhelion` ends with, as a shell sees it.
@@ -15,20 +17,21 @@ enum ExitCode {
 };
 
 // Each adds one subcommand. Once the command line is parsed, the chosen command runs and stores how it ended in `exit`.
-void addRender(CLI::App& app, int& exit);
-void addTrace(CLI::App& app, int& exit);
+// Long runs are traced by `tracers`.
+void addRender(CLI::App& app, int& exit, Tracers& tracers);
+void addTrace(CLI::App& app, int& exit, Tracers& tracers);
 void addRecon(CLI::App& app, int& exit);
 void addComposite(CLI::App& app, int& exit);
 void addSweep(CLI::App& app, int& exit);
 void addView(CLI::App& app, int& exit);
-void addProfile(CLI::App& app, int& exit);
-void addMap(CLI::App& app, int& exit);
+void addProfile(CLI::App& app, int& exit, Tracers& tracers);
+void addMap(CLI::App& app, int& exit, Tracers& tracers);
 void addReplay(CLI::App& app, int& exit);
 void addInfo(CLI::App& app, int& exit);
 void addCheck(CLI::App& app, int& exit);
 void addSchema(CLI::App& app, int& exit);
 
 /// Adds them all.
-void addCommands(CLI::App& app, int& exit);
+void addCommands(CLI::App& app, int& exit, Tracers& tracers);
 
 }  // namespace parhelion::cli

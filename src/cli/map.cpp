@@ -3,15 +3,16 @@
 #include <cstdio>
 
 #include "cli/commands.h"
+#include "cli/long_run.h"
 #include "cli/number_options.h"
 #include "cli/outputs.h"
 #include "cli/run_options.h"
 #include "cli/tables.h"
 #include "cli/text_output.h"
-#include "cli/trace_watch.h"
 #include "picture/exr.h"
 #include "picture/memory_limit.h"
 #include "picture/photograph.h"
+#include "render/measured_sums.h"
 #include "render/measurements.h"
 #include "render/needs.h"
 #include "render/scene_attributes.h"
@@ -22,6 +23,7 @@ namespace {
 
 struct MapOptions {
   RunOptions run;
+  LongRunOptions longRun;
   double step = 1.0;  // degrees
   std::string output = "-";
 
@@ -40,42 +42,52 @@ std::string csv(const SkyMap& map) {
   return text;
 }
 
-int runMap(const MapOptions& options, int binsPerHalfTurn) {
+int runMap(const MapOptions& options, int binsPerHalfTurn, Tracers& tracers) {
   const LoadedScene loaded = options.run.load();
+  const Cloud cloud = cloudOf(loaded.scene);
+  const TraceSettings settings = settingsOfMeasurement(cloud, loaded.scene.trace);
+  const RayRange wanted = options.longRun.wanted(settings.rays, cloud.bundleSize(), options.run);
+  const std::string tally = options.longRun.tallyFile();
   requireMemory("the map", memoryToMap(binsPerHalfTurn, options.run.threads));
-  Transaction outputs = claimOutputs({{options.run.scene},
-                                      {options.output, options.run.stats},
-                                      {},
-                                      {{options.output, leastBytesOfMap(binsPerHalfTurn, !options.toExr())}}},
-                                     options.run.overwrite);
+  Transaction outputs = claimRun({{options.run.scene},
+                                  {options.output, tally, options.run.stats},
+                                  {},
+                                  {{options.output, leastBytesOfMap(binsPerHalfTurn, !options.toExr())}}},
+                                 options.run, options.longRun);
   const StopSignal stop;
-  TraceWatch watch(options.run, loaded.scene.trace.rays, &stop);
-  const TracedMap traced = traceMap(loaded.scene, binsPerHalfTurn, watch.control());
-  const int exit = watch.report(traced, outputs);
-  if (options.toExr())
-    writeBeautyExr(outputs.at(options.output), mapPicture(traced.map), sceneAttributes(loaded, traced.report.rays));
-  else
-    writeText(outputs.at(options.output), csv(traced.map));
+  MeasuredSums<MapTally> sums(emptyMapTally(loaded, cloud, binsPerHalfTurn));
+  LongRun run({tracers, options.run, options.longRun, cloud, settings, wanted, tally, {}}, sums, stop);
+  run.trace();
+  run.report(outputs);
+  if (!tally.empty()) run.writeSums(outputs.at(tally));
+  if (!run.endsWithoutPicture()) {
+    const SkyMap& map = sums.tally().sums;
+    if (options.toExr())
+      writeBeautyExr(outputs.at(options.output), mapPicture(map), sceneAttributes(loaded, sums.origin().rayCount()));
+    else
+      writeText(outputs.at(options.output), csv(map));
+  }
   outputs.commit();
-  return exit;
+  return run.exitCode();
 }
 
 }  // namespace
 
-void addMap(CLI::App& app, int& exit) {
+void addMap(CLI::App& app, int& exit, Tracers& tracers) {
   auto options = std::make_shared<MapOptions>();
   CLI::App* command = app.add_subcommand("map", "Light over azimuth and elevation of the whole sphere, as CSV or EXR");
   options->run.addTo(*command, false);
+  options->longRun.addTo(*command, LongRunOptions::Keeps::tallyByName);
   command->add_option("--step", options->step, "Size of a bin, degrees; 90 must be a multiple of it")
       ->transform(number(0.01, 90.0));
   command->add_option("-o,--output", options->output, "CSV file, or EXR by its name; - for CSV on stdout")
       ->type_name("FILE");
-  command->callback([options, &exit] {
+  command->callback([options, &exit, &tracers] {
     constexpr double kRounding = 1e-9;  // relative; steps such as 0.1 are not exact in binary
     const double rows = 90.0 / options->step;
     if (std::abs(rows - std::round(rows)) > kRounding * rows)
       throw CLI::ValidationError("--step must divide 90 degrees evenly");
-    exit = runMap(*options, 2 * static_cast<int>(std::round(rows)));
+    exit = runMap(*options, 2 * static_cast<int>(std::round(rows)), tracers);
   });
 }
 

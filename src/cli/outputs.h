@@ -22,10 +22,10 @@ struct Files {
   std::map<std::string, std::uint64_t> leastBytes = {};  // of outputs, where that is known
 };
 
-/// For commands, before they work: the outputs, claimed for this run. Throws CLI::ValidationError if two of them are one
-/// file or one is an input. Throws std::runtime_error if one cannot be written, is being written by another run, would
-/// not find room on its disk or, unless `overwrite`, would replace a file that parhelion has not written (isOwnFile).
-/// Pipes and devices have nothing to lose. Leaves all files as they are.
+/// For commands, before they work: the outputs, claimed for this run. Throws CLI::ValidationError if two of them are
+/// one file or one is an input. Throws std::runtime_error if one cannot be written, is being written by another run,
+/// would not find room on its disk or, unless `overwrite`, would replace a file that parhelion has not written
+/// (isOwnFile). Pipes and devices have nothing to lose. Leaves all files as they are.
 Transaction claimOutputs(const Files& files, bool overwrite);
 
 /// The same without keeping the claims, for commands with too many outputs. Makes no folders.

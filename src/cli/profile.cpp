@@ -4,14 +4,15 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/commands.h"
+#include "cli/long_run.h"
 #include "cli/number_options.h"
 #include "cli/outputs.h"
 #include "cli/run_options.h"
 #include "cli/stats.h"
 #include "cli/tables.h"
 #include "cli/text_output.h"
-#include "cli/trace_watch.h"
 #include "picture/memory_limit.h"
+#include "render/measured_sums.h"
 #include "render/measurements.h"
 #include "render/needs.h"
 
@@ -21,6 +22,7 @@ namespace {
 
 struct ProfileOptions {
   RunOptions run;
+  LongRunOptions longRun;
   int bins = 1800;
   double from = 0.0, to = 180.0;  // degrees
   std::string output = "-", summary;
@@ -56,30 +58,40 @@ nlohmann::ordered_json json(const ScatterProfile::Summary& s) {
   return json;
 }
 
-int runProfile(const ProfileOptions& options) {
-  const Scene scene = options.run.load().scene;
+int runProfile(const ProfileOptions& options, Tracers& tracers) {
+  const LoadedScene loaded = options.run.load();
+  const Cloud cloud = cloudOf(loaded.scene);
+  const TraceSettings settings = settingsOfMeasurement(cloud, loaded.scene.trace);
+  const RayRange wanted = options.longRun.wanted(settings.rays, cloud.bundleSize(), options.run);
+  const std::string tally = options.longRun.tallyFile();
   requireMemory("the profile", memoryToProfile(options.bins, options.run.threads));
-  Transaction outputs =
-      claimOutputs({{options.run.scene}, {options.output, options.summary, options.run.stats}}, options.run.overwrite);
+  Transaction outputs = claimRun({{options.run.scene}, {options.output, options.summary, tally, options.run.stats}},
+                                 options.run, options.longRun);
   const StopSignal stop;
-  TraceWatch watch(options.run, scene.trace.rays, &stop);
-  const TracedProfile traced =
-      traceProfile(scene, options.bins, radians(options.from), radians(options.to), watch.control());
-  const int exit = watch.report(traced, outputs);
-  writeText(outputs.at(options.output), csv(traced.profile));
-  if (!options.summary.empty()) writeJson(outputs.at(options.summary), json(traced.profile.summary()));
+  MeasuredSums<ProfileTally> sums(
+      emptyProfileTally(loaded, cloud, options.bins, radians(options.from), radians(options.to)));
+  LongRun run({tracers, options.run, options.longRun, cloud, settings, wanted, tally, {}}, sums, stop);
+  run.trace();
+  run.report(outputs);
+  if (!tally.empty()) run.writeSums(outputs.at(tally));
+  if (!run.endsWithoutPicture()) {
+    const ScatterProfile& profile = sums.tally().sums;
+    writeText(outputs.at(options.output), csv(profile));
+    if (!options.summary.empty()) writeJson(outputs.at(options.summary), json(profile.summary()));
+  }
   outputs.commit();
-  return exit;
+  return run.exitCode();
 }
 
 }  // namespace
 
-void addProfile(CLI::App& app, int& exit) {
+void addProfile(CLI::App& app, int& exit, Tracers& tracers) {
   auto options = std::make_shared<ProfileOptions>();
   CLI::App* command = app.add_subcommand(
       "profile",
       "Light over the scattering angle, from each ray's own point of the sun, as CSV, and what follows from it");
   options->run.addTo(*command, false);
+  options->longRun.addTo(*command, LongRunOptions::Keeps::tallyByName);
   command->add_option("--bins", options->bins, "Equal bins between --from and --to")
       ->transform(wholeNumber(1, 10'000'000));
   command->add_option("--from", options->from, "First scattering angle, degrees")->transform(number(0.0, 180.0));
@@ -87,9 +99,9 @@ void addProfile(CLI::App& app, int& exit) {
   command->add_option("-o,--output", options->output, "CSV file; - for stdout")->type_name("FILE");
   command->add_option("--summary", options->summary, "JSON file of g, delta fraction, energy by order, mean path ...")
       ->type_name("FILE");
-  command->callback([options, &exit] {
+  command->callback([options, &exit, &tracers] {
     if (!(options->from < options->to)) throw CLI::ValidationError("--from must be less than --to");
-    exit = runProfile(*options);
+    exit = runProfile(*options, tracers);
   });
 }
 

@@ -48,6 +48,7 @@ Progress::Style progressStyle(bool quiet, const std::string& progress) {
 }
 
 Readable readable(double count) {
+  if (count >= 1e12) return {count / 1e12, "T"};
   if (count >= 1e9) return {count / 1e9, "G"};
   if (count >= 1e6) return {count / 1e6, "M"};
   if (count >= 1e3) return {count / 1e3, "k"};

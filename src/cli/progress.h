@@ -46,7 +46,7 @@ class Progress {
 /// The style that options ask for.
 Progress::Style progressStyle(bool quiet, const std::string& progress);
 
-/// A number with a suffix k, M or G, three digits.
+/// A number with a suffix k, M, G or T, three digits.
 struct Readable {
   double value;
   const char* suffix;

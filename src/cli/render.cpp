@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/commands.h"
+#include "cli/long_run.h"
 #include "cli/outputs.h"
 #include "cli/picture.h"
-#include "cli/run_options.h"
-#include "cli/trace_watch.h"
 #include "parallel/threads.h"
 #include "picture/memory_limit.h"
 #include "render/needs.h"
 #include "render/sky_files.h"
+#include "render/sky_sums.h"
+#include "sky/picture_error.h"
 
 namespace parhelion::cli {
 
@@ -15,13 +16,62 @@ namespace {
 
 struct RenderOptions {
   RunOptions run;
+  LongRunOptions longRun;
   PictureOptions picture;
 };
 
-int runRender(const RenderOptions& options) {
+/// The picture of a run's rays, which is made once also where its error is measured first.
+class Development {
+ public:
+  Development(const Tally& tally, const LoadedScene& loaded, int threads)
+      : tally_(tally), loaded_(loaded), threads_(threads) {}
+
+  /// None if it was stopped.
+  std::optional<double> error(const std::atomic<bool>& stop) {
+    Watch watch;
+    watch.stop = &stop;
+    try {
+      develop(watch);
+    } catch (const ReconStopped&) {
+      return {};
+    }
+    return pictureError(sky_->image, tally_);
+  }
+
+  ReconstructedSky take() {
+    if (!sky_ || rays_ != tally_.info.rayCount()) develop({});
+    return std::move(*sky_);
+  }
+
+ private:
+  void develop(const Watch& watch) {
+    sky_.reset();
+    sky_ = withThreads(threads_, [&] { return reconstruct(tally_, loaded_.scene.recon, watch); });
+    rays_ = tally_.info.rayCount();
+  }
+
+  const Tally& tally_;
+  const LoadedScene& loaded_;
+  int threads_;
+  std::optional<ReconstructedSky> sky_;
+  std::uint64_t rays_ = 0;  // that it was made of
+};
+
+/// Where a picture's tally goes; empty for a picture that goes nowhere.
+std::filesystem::path tallyOf(const SkyFiles& files) {
+  if (isStream(files.exr)) return {};
+  std::filesystem::path tally = files.exr;
+  return tally.replace_extension(".tally.exr");
+}
+
+int runRender(const RenderOptions& options, Tracers& tracers) {
   const LoadedScene loaded = options.run.load();
   const std::string& scene = options.run.scene;
   SkyFiles files = options.picture.files(scene);
+  const Cloud cloud = cloudOf(loaded.scene);
+  const TraceSettings settings = chosenSettings(cloud, loaded.scene.trace);
+  const RayRange wanted = options.longRun.wanted(settings.rays, cloud.bundleSize(), options.run);
+  const std::filesystem::path checkpoint = tallyOf(files);
   const SkySize size = skySizeOf(loaded.scene);
   requireMemory("the picture", memoryToReconstruct(size, loaded.scene.recon, options.run.threads));
   Transaction outputs = claimOutputs({{scene},
@@ -29,27 +79,36 @@ int runRender(const RenderOptions& options) {
                                       {},
                                       {{files.exr, leastBytesOfPicture(size, loaded.scene.recon)}}},
                                      options.run.overwrite);
+  Transaction tally = claimRun({{scene}, {options.longRun.leavesCheckpoint() ? checkpoint.string() : ""}}, options.run,
+                               options.longRun);
   // Also while the picture is made, so that a late Ctrl-C does not lose what was traced.
   const StopSignal stop;
-  TraceWatch watch(options.run, loaded.scene.trace.rays, &stop);
-  const TracedSky traced = traceSky(loaded, cloudOf(loaded.scene), watch.control());
-  const int exit = watch.report(traced, outputs);
-  ReconstructedSky sky = developSky(traced, loaded, options.run.threads);
+  SkySums sums(loaded, cloud);
+  Development picture(sums.tally(), loaded, options.run.threads);
+  LongRun run({tracers, options.run, options.longRun, cloud, settings, wanted, checkpoint,
+               [&] { return picture.error(stop.requested()); }},
+              sums, stop);
+  run.trace();
+  run.report(outputs);
+  run.writeLastCheckpoint();
+  if (run.endsWithoutPicture()) return run.exitCode();
+  ReconstructedSky sky = picture.take();
   files.run = &outputs;
-  const WrittenSky written = writeSkyFiles(files, std::move(sky.image), traced.tally.info, loaded);
+  const WrittenSky written = writeSkyFiles(files, std::move(sky.image), sums.tally().info, loaded);
   outputs.commit();
   if (!options.run.quiet) reportPicture(files, written, sky.remarks);
-  return exit;
+  return run.exitCode();
 }
 
 }  // namespace
 
-void addRender(CLI::App& app, int& exit) {
+void addRender(CLI::App& app, int& exit, Tracers& tracers) {
   auto options = std::make_shared<RenderOptions>();
   CLI::App* command = app.add_subcommand("render", "Render a scene to a linear EXR and a PNG preview beside it");
   options->run.addTo(*command, true);
+  options->longRun.addTo(*command, LongRunOptions::Keeps::tallyBeside);
   options->picture.addTo(*command);
-  command->callback([options, &exit] { exit = runRender(*options); });
+  command->callback([options, &exit, &tracers] { exit = runRender(*options, tracers); });
 }
 
 }  // namespace parhelion::cli

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "cli/duration.h"
 #include "cli/number_options.h"
 #include "cli/outputs.h"
 #include "cli/scene_input.h"
@@ -89,7 +90,7 @@ void RunOptions::addTo(CLI::App& command, bool hasImage) {
 
 void RunOptions::addTracingTo(CLI::App& command, bool hasImage) {
   addOverrides(command, overrides);
-  command.add_option("--rays", rays, "Incident rays, all wavelengths together; k, M and G are understood")
+  command.add_option("--rays", rays, "Incident rays, all wavelengths together; k, M, G and T are understood")
       ->type_name("N")
       ->check(CLI::Validator(validRays, ""));
   command.add_option("--seed", seed, "Seed of the random numbers")->type_name("N")->transform(wholeNumber());
@@ -103,9 +104,9 @@ void RunOptions::addTracingTo(CLI::App& command, bool hasImage) {
     command.add_option("--symmetry", symmetry, "Symmetry of the sky to make use of")
         ->type_name(choices<Symmetry>())
         ->check(nameOfOne<Symmetry>());
-  command.add_option("--time", timeLimit, "Stop after this many seconds, whatever has been traced")
-      ->type_name("SECONDS")
-      ->transform(number(1e-3, 1e9));
+  command.add_option("--time", timeLimit, "Stop after this time, for one 90s or 8h, whatever has been traced")
+      ->type_name("TIME")
+      ->transform(durationInSeconds(1e-3, 1e9));
   command.add_option("--nthreads", threads, "Threads; as many as there are processors when left out")
       ->type_name("N")
       ->transform(wholeNumber(1, kMostThreads));

@@ -26,6 +26,7 @@ void printLedger(const TraceReport& report) {
   const double in = energy.in.value(), per = in > 0.0 ? 1.0 / in : 0.0;
   const double rays = static_cast<double>(report.rays);
   const Readable count = readable(rays), speed = readable(report.seconds > 0.0 ? rays / report.seconds : 0.0);
+  if (report.rays == 0) return say("no rays were traced");
   say("%.6g%s rays in %.2f s, %.3g%s rays/s, %.2f hits and %.2f deposits a ray", count.value, count.suffix,
       report.seconds, speed.value, speed.suffix, static_cast<double>(report.hits) / rays,
       static_cast<double>(report.deposits) / rays);
@@ -35,7 +36,7 @@ void printLedger(const TraceReport& report) {
       std::abs(energy.imbalance()));
 }
 
-void writeStats(const Output& output, const TraceSettings& settings, const TraceReport& report, int threads) {
+nlohmann::ordered_json statsJson(const TraceSettings& settings, const TraceReport& report, int threads) {
   const ProcessUsage usage = processUsage();
   const double rays = static_cast<double>(report.rays);
   nlohmann::ordered_json json;
@@ -62,7 +63,7 @@ void writeStats(const Output& output, const TraceSettings& settings, const Trace
                     {"cut_off", report.energy.cutOff.value()},
                     {"lost", report.energy.lost.value()}};
   json["interrupted"] = report.interrupted;
-  writeJson(output, json);
+  return json;
 }
 
 ProcessUsage processUsage() {

@@ -13,8 +13,8 @@ namespace parhelion::cli {
 /// Prints on stderr what a run did and how its energy adds up.
 void printLedger(const TraceReport& report);
 
-/// Writes the run's figures as JSON; `threads` 0 is one a processor. Throws std::runtime_error.
-void writeStats(const Output& output, const TraceSettings& settings, const TraceReport& report, int threads);
+/// The run's figures; `threads` 0 is one a processor.
+nlohmann::ordered_json statsJson(const TraceSettings& settings, const TraceReport& report, int threads);
 
 /// What the process has used so far.
 struct ProcessUsage {

@@ -149,7 +149,7 @@ int runSweep(const SweepOptions& options) {
 void addOptions(CLI::App& command, SweepOptions& options) {
   options.run.addTo(command, true);
   command.remove_option(command.get_option("--stats"));
-  command.get_option("--time")->description("Stop after this many seconds; the same command goes on from there");
+  command.get_option("--time")->description("Stop after this time; the same command goes on from there");
   command
       .add_option(
           "keys", options.keys,

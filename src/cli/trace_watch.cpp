@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/trace_watch.h"
 
+#include <cmath>
 #include <cstdio>
+
+#include <nlohmann/json.hpp>
 
 #include "cli/commands.h"
 #include "cli/stats.h"
@@ -11,25 +14,38 @@ namespace parhelion::cli {
 
 namespace {
 
-/// A line of JSON, or one such as "  8.3 %  250k of 3M rays, 2.1M rays/s, 1 s left".
-std::string progressLine(Progress::Style style, double done, double rays, double seconds) {
-  const double rate = seconds > 0.0 ? done / seconds : 0.0;
-  const double left = rate > 0.0 ? (rays - done) / rate : 0.0;
-  char line[200];
-  if (style == Progress::Style::json) {
-    std::snprintf(
-        line, sizeof line,
-        "{\"rays\": %.0f, \"of\": %.0f, \"seconds\": %.3f, \"rays_per_second\": %.0f, \"seconds_left\": %.1f}", done,
-        rays, seconds, rate, left);
-    return line;
+std::string jsonLine(const TraceProgress& p, double rate, double left) {
+  char line[300];
+  const int length = std::snprintf(
+      line, sizeof line,
+      "{\"rays\": %.0f, \"of\": %.0f, \"seconds\": %.3f, \"rays_per_second\": %.0f, \"seconds_left\": %.1f", p.done,
+      p.wanted, p.seconds, rate, left);
+  std::string text(line, static_cast<std::size_t>(length));
+  if (p.error && std::isfinite(*p.error)) {
+    std::snprintf(line, sizeof line, ", \"error\": %.5g, \"wanted_error\": %.5g", *p.error, p.goal);
+    text += line;
   }
-  const Readable some = readable(done), all = readable(rays), speed = readable(rate);
-  std::snprintf(line, sizeof line, "%5.1f %%  %.3g%s of %.3g%s rays, %.3g%s rays/s, %.0f s left", 100.0 * done / rays,
-                some.value, some.suffix, all.value, all.suffix, speed.value, speed.suffix, left);
-  return line;
+  return text + "}";
 }
 
 }  // namespace
+
+std::string progressLine(Progress::Style style, const TraceProgress& p) {
+  const double rate = p.seconds > 0.0 ? p.traced / p.seconds : 0.0;
+  const double left = rate > 0.0 ? (p.wanted - p.done) / rate : 0.0;
+  if (style == Progress::Style::json) return jsonLine(p, rate, left);
+  const Readable some = readable(p.done), all = readable(p.wanted), speed = readable(rate);
+  char line[300];
+  std::snprintf(line, sizeof line, "%5.1f %%  %.3g%s of %.3g%s rays, %.3g%s rays/s, %.0f s left",
+                100.0 * p.done / p.wanted, some.value, some.suffix, all.value, all.suffix, speed.value, speed.suffix,
+                left);
+  std::string text = line;
+  if (p.error) {
+    std::snprintf(line, sizeof line, ", error %.3g %% of %.3g %%", 100.0 * *p.error, 100.0 * p.goal);
+    text += line;
+  }
+  return text;
+}
 
 TraceControl traceControl(const RunOptions& options, const StopSignal* stop) {
   TraceControl control;
@@ -50,8 +66,9 @@ TraceControl TraceWatch::control() {
   TraceControl control = traceControl(options_, stop_);
   control.onProgress = [this](std::uint64_t count, double seconds) {
     const double done = static_cast<double>(count);
-    progress_.update(done / rays_, seconds,
-                     [&](Progress::Style style) { return progressLine(style, done, rays_, seconds); });
+    progress_.update(done / rays_, seconds, [&](Progress::Style style) {
+      return progressLine(style, {done, rays_, done, seconds, {}});
+    });
   };
   return control;
 }
@@ -59,7 +76,8 @@ TraceControl TraceWatch::control() {
 int TraceWatch::report(const TracedScene& traced, Transaction& outputs) {
   progress_.finish();
   if (!options_.quiet) printLedger(traced.report);
-  if (!options_.stats.empty()) writeStats(outputs.at(options_.stats), traced.settings, traced.report, options_.threads);
+  if (!options_.stats.empty())
+    writeJson(outputs.at(options_.stats), statsJson(traced.settings, traced.report, options_.threads));
   return traced.report.interrupted && stop_ && stop_->requested() ? kInterrupted : kDone;
 }
 

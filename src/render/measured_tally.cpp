@@ -28,9 +28,6 @@ constexpr const char* kTotalPrefix = "total.";
 enum Part : std::size_t { kLight, kSquaresHigh, kSquaresLow, kParts };
 constexpr std::array<const char*, kParts> kPartNames{"light", "light.squares.high", "light.squares.low"};
 
-TallyKind kindOf(const MapTally&) { return TallyKind::map; }
-TallyKind kindOf(const ProfileTally&) { return TallyKind::profile; }
-
 /// What the bins are, as attributes.
 ExrAttributes binsText(const MapTally& tally) {
   return {{"map.binsPerHalfTurn", textOfNumber(tally.sums.binsPerHalfTurn())},
@@ -97,7 +94,7 @@ std::int64_t numberOf(const BundleBins& bins, std::size_t part, std::size_t bin)
 }
 
 template <class Tally>
-void write(const std::filesystem::path& path, const Tally& tally) {
+void write(const Output& output, const Tally& tally) {
   ExrAttributes attributes = textFromOrigin(tally.origin);
   attributes["software"] = kSoftware;
   attributes["kind"] = std::string(nameOf(kindOf(tally)));
@@ -105,7 +102,7 @@ void write(const std::filesystem::path& path, const Tally& tally) {
   for (const auto& [name, units] : tally.sums.totals()) attributes[kTotalPrefix + name] = textOfUnits(units);
   const BundleBins& bins = tally.sums.sums();
   const std::vector<SumsPart> parts = partsFor(static_cast<std::size_t>(bins.size()));
-  writeSumsExr(path, attributes, parts, [&](std::size_t part, std::size_t first, std::span<std::int64_t> values) {
+  writeSumsExr(output, attributes, parts, [&](std::size_t part, std::size_t first, std::span<std::int64_t> values) {
     for (std::size_t i = 0; i < values.size(); ++i) values[i] = numberOf(bins, part, first + i);
   });
 }
@@ -257,8 +254,8 @@ ProfileTally emptyProfileTally(const LoadedScene& loaded, const Cloud& cloud, in
   return {originOf(loaded, chosenSettings(cloud, loaded.scene.trace)), ScatterProfile(bins, from, to)};
 }
 
-void writeTally(const std::filesystem::path& path, const MapTally& tally) { write(path, tally); }
-void writeTally(const std::filesystem::path& path, const ProfileTally& tally) { write(path, tally); }
+void writeTally(const Output& output, const MapTally& tally) { write(output, tally); }
+void writeTally(const Output& output, const ProfileTally& tally) { write(output, tally); }
 
 MapTally readMapTally(const std::filesystem::path& path) {
   return read<MapTally>(path, TallyKind::map,

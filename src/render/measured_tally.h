@@ -3,8 +3,10 @@
 
 #include <filesystem>
 
+#include "picture/transaction.h"
 #include "render/traced_sky.h"
 #include "sky/tally_info.h"
+#include "sky/tally_kind.h"
 #include "trace/scatter_profile.h"
 #include "trace/sky_map.h"
 
@@ -24,14 +26,17 @@ struct ProfileTally {
   ScatterProfile sums;
 };
 
+inline TallyKind kindOf(const MapTally&) { return TallyKind::map; }
+inline TallyKind kindOf(const ProfileTally&) { return TallyKind::profile; }
+
 /// With all that is known before the rays of a scene are traced by this version of the program. `cloud` is the scene's.
 MapTally emptyMapTally(const LoadedScene& loaded, const Cloud& cloud, int binsPerHalfTurn);
 ProfileTally emptyProfileTally(const LoadedScene& loaded, const Cloud& cloud, int bins, double from, double to);
 
 /// Writes a file of sums (sky/sums_exr.h) that reading gives back to the bit. In one piece or not at all. Throws
 /// std::runtime_error "path: reason".
-void writeTally(const std::filesystem::path& path, const MapTally& tally);
-void writeTally(const std::filesystem::path& path, const ProfileTally& tally);
+void writeTally(const Output& output, const MapTally& tally);
+void writeTally(const Output& output, const ProfileTally& tally);
 
 /// Throws std::runtime_error "path: reason" for files that are no such tally, are damaged, or hold what no run can have
 /// made.

@@ -6,18 +6,15 @@
 
 namespace parhelion {
 
-namespace {
-
-TraceSettings withoutSymmetry(const Cloud& cloud, TraceSettings settings) {
+TraceSettings settingsOfMeasurement(const Cloud& cloud, const TraceSettings& asked) {
+  TraceSettings settings = asked;
   settings.symmetry = Symmetry::none;
   return chosenSettings(cloud, settings);
 }
 
-}  // namespace
-
 TracedMap traceMap(const Scene& scene, int binsPerHalfTurn, const TraceControl& control) {
   const Cloud cloud = cloudOf(scene);
-  TracedMap traced{{{}, withoutSymmetry(cloud, scene.trace)}, SkyMap(cloud.sun().toCentre(), binsPerHalfTurn)};
+  TracedMap traced{{{}, settingsOfMeasurement(cloud, scene.trace)}, SkyMap(cloud.sun().toCentre(), binsPerHalfTurn)};
   traced.report = traceRays(cloud, traced.settings, 0, traced.map, control);
   return traced;
 }
@@ -37,7 +34,7 @@ Image mapPicture(const SkyMap& map) {
 
 TracedProfile traceProfile(const Scene& scene, int bins, double from, double to, const TraceControl& control) {
   const Cloud cloud = cloudOf(scene);
-  TracedProfile traced{{{}, withoutSymmetry(cloud, scene.trace)}, ScatterProfile(bins, from, to)};
+  TracedProfile traced{{{}, settingsOfMeasurement(cloud, scene.trace)}, ScatterProfile(bins, from, to)};
   traced.report = traceRays(cloud, traced.settings, 0, traced.profile, control);
   return traced;
 }

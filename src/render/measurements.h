@@ -11,6 +11,9 @@ namespace parhelion {
 
 // What is measured of a scene without its camera. Every ray counts for itself, whatever the sky's symmetry.
 
+/// What a run's settings come to for them (chosenSettings()).
+TraceSettings settingsOfMeasurement(const Cloud& cloud, const TraceSettings& asked);
+
 struct TracedMap : TracedScene {
   SkyMap map;
 };

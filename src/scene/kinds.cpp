@@ -100,7 +100,7 @@ bool RayCount::read(const Value& in, std::uint64_t& out) const {
 
 Json RayCount::schema() const {
   const Json number = {{"type", "number"}, {"minimum", 1}, {"maximum", kMaxRays}, {"multipleOf", 1}};
-  const Json text = {{"type", "string"}, {"pattern", "^[0-9]+(\\.[0-9]*)?([eE]\\+?[0-9]+|[kKmMgG])?$"}};
+  const Json text = {{"type", "string"}, {"pattern", "^[0-9]+(\\.[0-9]*)?([eE]\\+?[0-9]+|[kKmMgGtT])?$"}};
   return {{"anyOf", {number, text}}};
 }
 

@@ -15,7 +15,7 @@ std::uint64_t parseRayCount(std::string_view text) {
 
   // The suffix becomes an exponent, so that "2.3M" is rounded once, to exactly 2300000.
   std::string number(text);
-  constexpr std::string_view kSuffixes = "kKmMgG";
+  constexpr std::string_view kSuffixes = "kKmMgGtT";
   const std::size_t suffix = number.empty() ? std::string_view::npos : kSuffixes.find(number.back());
   if (suffix != std::string_view::npos)
     number.replace(number.size() - 1, 1, std::string("e").append(std::to_string(3 * (suffix / 2 + 1))));

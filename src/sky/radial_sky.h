@@ -89,7 +89,13 @@ class RadialSky {
     rings_[static_cast<std::size_t>(bin)].place[static_cast<std::size_t>(slot)] = value;
   }
 
+  /// All integers of all rings.
+  std::span<std::int64_t> sums() { return integersOf(rings_); }
+
   bool operator==(const RadialSky&) const = default;
+
+  /// How full the fullest ring is, from 0 to 1. At 1 nothing more fits into it.
+  double fullness() const { return parhelion::fullness(rings_); }
 
   /// Takes all light away.
   void clear() { std::ranges::fill(rings_, SumLine{}); }

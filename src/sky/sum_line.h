@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "sky/fixed_point.h"
@@ -22,6 +24,20 @@ struct alignas(64) SumLine {
 
   bool operator==(const SumLine&) const = default;
 };
+
+/// The largest sum, as a share of the largest that fits.
+inline double fullness(const std::vector<SumLine>& sums) {
+  std::int64_t most = 0;
+  for (const SumLine& line : sums)
+    for (const std::int64_t sum : line.place) most = std::max(most, sum);
+  return static_cast<double>(most) / 0x1p63;
+}
+
+/// All their integers, in their order.
+inline std::span<std::int64_t> integersOf(std::vector<SumLine>& lines) {
+  static_assert(sizeof(SumLine) == sizeof(SumLine::place));
+  return {reinterpret_cast<std::int64_t*>(lines.data()), 8 * lines.size()};
+}
 
 /// Adds `amounts` to sums of the same number. Throws std::overflow_error, and changes nothing, where one of them does
 /// not fit.

@@ -51,6 +51,8 @@ Vec3 Tally::xyz(int pixel) const {
   return {fromFixed(raw(pixel, kX)) * info.white.x, y, fromFixed(raw(pixel, kZ)) * info.white.z};
 }
 
+double Tally::fullness() const { return std::max(parhelion::fullness(lines_), rings_ ? rings_->fullness() : 0.0); }
+
 double Tally::luminanceError(int pixel) const {
   const std::uint64_t rays = info.rayCount();
   if (rays == 0) return 0.0;

@@ -72,6 +72,12 @@ class Tally : public TallySlots {
   /// How many times light was added to a pixel.
   std::int64_t hits(int pixel) const { return raw(pixel, kHits); }
 
+  /// All integers of all pixels.
+  std::span<std::int64_t> sums() { return integersOf(lines_); }
+
+  /// How full the fullest of all sums is, those of rings included, from 0 to 1. At 1 nothing more fits into it.
+  double fullness() const;
+
   /// The standard error of luminance(pixel). Divided by the intercepted light and the solid angle, it is the standard
   /// error of the radiance.
   double luminanceError(int pixel) const;

@@ -5,6 +5,12 @@
 
 namespace parhelion {
 
+void TallyInfo::visitTotals(SumVisitor& visitor) {
+  visitor.visit(intercepted);
+  visitor.visit(undeviated);
+  for (LightTotal& total : interceptedXyz) visitor.visit(total);
+}
+
 double TallyInfo::undeviatedFraction() const {
   return intercepted.units() > 0 ? undeviated.value() / intercepted.value() : 0.0;
 }

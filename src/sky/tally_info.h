@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "math/conventions.h"
+#include "math/sum_visitor.h"
 #include "sky/camera_settings.h"
 #include "sky/fixed_point.h"
 #include "sky/ray_ranges.h"
@@ -58,6 +59,9 @@ struct TallyInfo : TallyOrigin {
   CameraSettings camera;                     // its width and height are the tally's
 
   bool operator==(const TallyInfo&) const = default;
+
+  /// Shows the totals of light.
+  void visitTotals(SumVisitor& visitor);
 
   double interceptedLight() const { return intercepted.value(); }
 

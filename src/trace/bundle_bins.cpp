@@ -26,6 +26,10 @@ void BundleBins::merge(const BundleBins& other) {
   }
 }
 
+double BundleBins::fullness() const {
+  return static_cast<double>(*std::ranges::max_element(sums_)) / 0x1p63;
+}
+
 void BundleBins::subtract(const BundleBins& other) {
   for (int i = 0; i < size(); ++i)
     if (other.sums_[i] > sums_[i] || other.squares_[i].units() > squares_[i].units())
@@ -46,6 +50,11 @@ double BundleBins::shareError(int bin, std::uint64_t bundles, double all) const 
   constexpr double kRuleOfThree = 3.0;
   if (sums_[bin] == 0) return std::min(1.0, kRuleOfThree / static_cast<double>(bundles));
   return error(bin, bundles) / all;
+}
+
+void BundleBins::visitSums(SumVisitor& visitor) {
+  visitor.visit(std::span(sums_));
+  for (SquareTotal& square : squares_) visitor.visit(square);
 }
 
 }  // namespace parhelion

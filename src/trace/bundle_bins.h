@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "math/exact_sum.h"
+#include "math/sum_visitor.h"
 #include "sky/fixed_point.h"
 
 namespace parhelion {
@@ -47,6 +48,10 @@ class BundleBins {
   /// changed.
   void merge(const BundleBins& other);
   void subtract(const BundleBins& other);
+  void visitSums(SumVisitor& visitor);
+
+  /// How full the fullest sum of light is, from 0 to 1. Squares have room for more than there ever is.
+  double fullness() const;
 
   /// The numbers of a bin, for files: units of kWeightScale and of kSquareScale.
   std::int64_t sum(int bin) const { return sums_[bin]; }

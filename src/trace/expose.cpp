@@ -38,10 +38,6 @@ std::unique_ptr<Film> makeFilm(Tally& tally, const Cloud& cloud, Symmetry symmet
 
 TraceReport traceTally(Tally& tally, const Cloud& cloud, const TraceSettings& settings, std::uint64_t firstRay,
                        const TraceControl& control) {
-  const bool mirrored = symmetryOf(cloud, settings.symmetry) == Symmetry::mirror;
-  if (mirrored && settings.rays - firstRay > kMaxRays / 2)
-    throw std::invalid_argument("rays that count as their mirror images, too, fill a tally after " +
-                                std::to_string(kMaxRays / 2) + ": ask for no more, or for symmetry \"none\"");
   const auto film = makeFilm(tally, cloud, settings.symmetry);
   TraceReport report = traceRays(cloud, settings, firstRay, *film, control);
   if (report.rays > 0) tally.info.rays = {{report.firstRay, report.rays}};

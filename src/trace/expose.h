@@ -20,8 +20,7 @@ TallySymmetry countingOf(Symmetry chosen);
 std::unique_ptr<Film> makeFilm(Tally& tally, const Cloud& cloud, Symmetry symmetry);
 
 /// Traces rays firstRay ... settings.rays - 1 into an empty tally through its own camera, making use of the settings'
-/// symmetry, and notes in its info which rays those were. As traceRays() otherwise. Throws std::invalid_argument for
-/// more than kMaxRays / 2 rays that count as their mirror images, too.
+/// symmetry, and notes in its info which rays those were. As traceRays() otherwise.
 TraceReport traceTally(Tally& tally, const Cloud& cloud, const TraceSettings& settings, std::uint64_t firstRay = 0,
                        const TraceControl& control = {});
 

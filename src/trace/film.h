@@ -2,7 +2,9 @@
 #pragma once
 
 #include <memory>
+#include <stdexcept>
 
+#include "math/sum_visitor.h"
 #include "trace/traced_rays.h"
 
 namespace parhelion {
@@ -29,6 +31,13 @@ class Film {
 
   /// After finish(): more rays may be added.
   virtual void reopen() {}
+
+  /// How full the fullest of all sums is, as they are after finish(), from 0 to 1. At 1 nothing more fits into it.
+  virtual double fullness() const { return 0.0; }
+
+  /// Shows all that was merged, as it is before finish(). Throws std::logic_error for films that are traced by one
+  /// process only.
+  virtual void visitSums(SumVisitor&) { throw std::logic_error("this film is for one process"); }
 };
 
 }  // namespace parhelion

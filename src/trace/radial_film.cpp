@@ -30,4 +30,9 @@ void RadialFilm::merge(Film& fromThread) {
   other.intercepted_.moveTo(tally_.info);
 }
 
+void RadialFilm::visitSums(SumVisitor& visitor) {
+  visitor.visit(sky_.sums());
+  tally_.info.visitTotals(visitor);
+}
+
 }  // namespace parhelion

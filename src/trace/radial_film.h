@@ -24,9 +24,11 @@ class RadialFilm : public Film {
         new RadialFilm(tally_, std::make_unique<RadialSky>(tally_.info, sky_.toCentre(), tally_.colours())));
   }
   void merge(Film& fromThread) override;
+  void visitSums(SumVisitor& visitor) override;
 
   /// Spreads the rings over the tally's pixels, in the place of what was there.
   void finish() override { sky_.spreadOver(tally_); }
+  double fullness() const override { return tally_.fullness(); }
 
  private:
   /// A thread has rings of its own.

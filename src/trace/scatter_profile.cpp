@@ -115,6 +115,15 @@ void ScatterProfile::merge(Film& fromThread) {
   other = empty();
 }
 
+void ScatterProfile::visitSums(SumVisitor& visitor) {
+  bins_.visitSums(visitor);
+  visitor.visit(rays_);
+  visitor.visit(bundles_);
+  for (const Total& total : kTotals) visitor.visit(this->*total.sum);
+  byOrder_.resize(kOrders);
+  for (ExactSum& order : byOrder_) visitor.visit(order);
+}
+
 NamedTotals ScatterProfile::totals() const {
   NamedTotals totals{{"bundles", static_cast<ExactSum::Units>(bundles_)},
                      {"rays", static_cast<ExactSum::Units>(rays_)}};
@@ -161,7 +170,9 @@ ScatterProfile::Summary ScatterProfile::summary() const {
   s.g = cosine_.value() / all;
   s.gError = errorOf(cosine_, cosineSquared_);
   s.undeviated = undeviated_.value() / all;
-  for (const ExactSum& order : byOrder_) s.byOrder.push_back(order.value() / all);
+  const auto last =
+      std::find_if(byOrder_.rbegin(), byOrder_.rend(), [](const ExactSum& sum) { return sum != ExactSum(); });
+  for (auto order = byOrder_.begin(); order != last.base(); ++order) s.byOrder.push_back(order->value() / all);
   s.byOrderRest = byOrderRest_.value() / all;
   s.external = s.byOrder.empty() ? 0.0 : s.byOrder[0];
   s.meanPath = path_.value() / all;

@@ -24,6 +24,8 @@ class ScatterProfile : public Film {
   int add(const TracedRays& traced) override;
   std::unique_ptr<Film> forThread() override;
   void merge(Film& fromThread) override;
+  void visitSums(SumVisitor& visitor) override;
+  double fullness() const override { return bins_.fullness(); }
 
   /// All that it has summed, for files and for adding profiles of different rays. setTotals() takes what totals()
   /// gives: throws std::out_of_range where one is missing.

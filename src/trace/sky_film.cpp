@@ -50,4 +50,9 @@ void SkyFilm::reopen() {
   folded_ = false;
 }
 
+void SkyFilm::visitSums(SumVisitor& visitor) {
+  visitor.visit(tally_.sums());
+  tally_.info.visitTotals(visitor);
+}
+
 }  // namespace parhelion

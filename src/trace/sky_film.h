@@ -22,8 +22,10 @@ class SkyFilm : public Film {
   int add(const TracedRays& traced) override;
   std::unique_ptr<Film> forThread() override { return std::unique_ptr<SkyFilm>(new SkyFilm(tally_, locks_)); }
   void merge(Film& fromThread) override;
+  void visitSums(SumVisitor& visitor) override;
   void finish() override;
   void reopen() override;
+  double fullness() const override { return tally_.fullness(); }
 
  private:
   /// Through a camera that is its own mirror image, the finished picture makes up for a second view of every exit.
@@ -33,7 +35,8 @@ class SkyFilm : public Film {
         mirrored_(tally.info.symmetry == TallySymmetry::mirror),
         camera_(tally.info.camera),
         locks_(std::move(locks)),
-        buffer_(tally, locks_) {}
+        buffer_(tally, locks_),
+        folded_(foldsPicture() && !tally.info.rays.empty()) {}
 
   Tally& tally_;
   bool mirrored_;
@@ -44,7 +47,7 @@ class SkyFilm : public Film {
   ByBundle byBundle_;
   SeenLight seen_;
   InterceptedLight intercepted_{tally_};
-  bool folded_ = false;  // the tally's picture, by finish(), until reopen()
+  bool folded_;  // the tally's picture, by finish(), until reopen()
 };
 
 }  // namespace parhelion

@@ -69,4 +69,10 @@ double SkyMap::error(int column, int row) const {
   return bins_.shareError(row * columns() + column, bundles_, intercepted_.value());
 }
 
+void SkyMap::visitSums(SumVisitor& visitor) {
+  bins_.visitSums(visitor);
+  visitor.visit(bundles_);
+  visitor.visit(intercepted_);
+}
+
 }  // namespace parhelion

@@ -96,7 +96,8 @@ struct TraceSettings {
   Symmetry symmetry = Symmetry::automatic;
 };
 
-/// Fixed-point tallies hold this many rays without overflow even if all their light falls into one bin (fixed_point.h).
-inline constexpr std::uint64_t kMaxRays = 30'000'000'000;
+/// The most rays of a run. Whether its sums will hold their light depends on how the light is spread; a run finds out
+/// early (render/tracing_run.h).
+inline constexpr std::uint64_t kMaxRays = 1'000'000'000'000'000;
 
 }  // namespace parhelion

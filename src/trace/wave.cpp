@@ -152,4 +152,9 @@ void Wave::count(const RayQueue& queue, int members) {
   counts_.energy.lost.addUnits(coarser * energy_.lost);
 }
 
+void TraceCounts::visitSums(SumVisitor& visitor) {
+  for (std::uint64_t* count : {&rays, &hits, &deposits, &placed, &rescued}) visitor.visit(*count);
+  for (ExactSum* sum : {&energy.in, &energy.out, &energy.absorbed, &energy.cutOff, &energy.lost}) visitor.visit(*sum);
+}
+
 }  // namespace parhelion

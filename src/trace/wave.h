@@ -22,6 +22,7 @@ struct TraceCounts {
   EnergyLedger energy;
 
   void merge(const TraceCounts& other);
+  void visitSums(SumVisitor& visitor);
 };
 
 /// Follows many rays at a time through their crystals. Rays wait in a queue until there is room in the pool. Those in

@@ -28,7 +28,7 @@ struct Asked {
 class CommandLine {
  public:
   CommandLine() {
-    cli::addCommands(app_, exit_);
+    cli::addCommands(app_, exit_, tracers_);
     app_.require_subcommand(2);  // which nobody gives: so no command ever starts
   }
 
@@ -64,13 +64,14 @@ class CommandLine {
  private:
   CLI::App app_;
   int exit_ = 0;
+  Tracers tracers_;
 };
 
 /// Options that take any text: names of files and folders, keys of scenes. Their own readers judge them.
 inline bool takesAnyText(const Asked& asked) {
-  static const std::set<std::string> kNames{"",          "-o",        "--output", "--stats",  "--scene",
-                                            "--halo",    "--mask",    "--layers", "--beside", "--minus",
-                                            "--profile", "--summary", "-D",       "--compare"};
+  static const std::set<std::string> kNames{"",       "-o",        "--output", "--stats", "--scene",   "--halo",
+                                            "--mask", "--layers",  "--beside", "--minus", "--profile", "--summary",
+                                            "-D",     "--compare", "--resume", "--tally", "--slice"};
   return kNames.contains(asked.option);
 }
 

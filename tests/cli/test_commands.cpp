@@ -235,7 +235,7 @@ TEST_CASE("mistakes on the command line are one clear complaint and exit 2") {
       {"parhelion render s.toml --engine embre", "did you mean 'embree'"},
       {"parhelion render s.toml --engine plane", "did you mean 'planes'"},
       {"parhelion render s.toml --exposure nan", "expected a number"},
-      {"parhelion render s.toml --time 0", "expected a number"},
+      {"parhelion render s.toml --time 0", "expected a time"},
       {"parhelion render s.toml -o sky.jpg", ".exr"},
       {"parhelion profile s.toml -o s.toml", "written over"},
       {"parhelion profile s.toml -o a.csv --summary ./a.csv", "written over"},

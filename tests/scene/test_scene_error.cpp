@@ -179,7 +179,7 @@ scenes/x.toml:3:13: error: 'diameter' must be a number from 0 to 10 degrees, not
 scenes/x.toml:5:10: error: 'weight' must be a number from 0 to 1000000000, not -1
     5 | weight = -1
       |          ^~
-scenes/x.toml:7:8: error: 'rays' must be a whole number of rays from 1 to 30000000000, such as 100000, 2e6, "1.5k" or "10M", not 0
+scenes/x.toml:7:8: error: 'rays' must be a whole number of rays from 1 to 1000000000000000, such as 100000, 2e6, "1.5k" or "10M", not 0
     7 | rays = 0
       |        ^)");
   }

@@ -103,18 +103,3 @@ TEST_CASE("a bin holds the squares of large bundles, however many") {
       }(),
       std::overflow_error);
 }
-
-TEST_CASE("more rays that count as their mirror images than a tally holds are refused before the first is traced") {
-  const Cloud cloud = sunlit({plates()});
-  for (const Symmetry symmetry : {Symmetry::mirror, Symmetry::automatic})
-    CHECK_THROWS_AS(traceSky(cloud, wholeSphere(), by(symmetry, kMaxRays, 1)), std::invalid_argument);
-  TallyInfo info;
-  info.camera = wholeSphere();
-  Tally tally(info);
-  TraceControl control;
-  const std::atomic<bool> stop{true};
-  control.stop = &stop;
-  CHECK_NOTHROW(traceTally(tally, cloud, by(Symmetry::mirror, kMaxRays / 2, 1), 0, control));
-  Tally other(info);
-  CHECK_NOTHROW(traceTally(other, cloud, by(Symmetry::none, kMaxRays, 1), 0, control));
-}
