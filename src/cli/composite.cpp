@@ -104,7 +104,6 @@ void report(const CompositeOptions& options, double pixels, const AddedHaloRepor
 int runComposite(const CompositeOptions& options) {
   requireSense(options);
   Transaction outputs = claimAll(options);
-  const StopSignal stop;
   const bool quiet = options.halo.run.quiet;
   requireFit(options.photo, Wanted::photograph);
   if (!options.mask.empty()) requireFit(options.mask, Wanted::photograph);
@@ -113,7 +112,7 @@ int runComposite(const CompositeOptions& options) {
   sayAll(camera.remarks, quiet);
 
   const SkyMask mask = maskOf(options, photograph, camera);
-  const auto [halo, exit] = options.halo.make(camera, stop, options.camera.rules(0).editedPictures(), outputs);
+  const PhotoHalo halo = options.halo.make(camera, options.camera.rules(0).editedPictures(), outputs);
   const HaloStrength strength =
       haloStrength(strengthSettings(options), photograph, mask, camera.camera, camera.sunElevation, halo.lookup);
   sayAll(strength.remarks, quiet);
@@ -125,7 +124,7 @@ int runComposite(const CompositeOptions& options) {
                                               camera, halo.attributes, options.halo.run.threads);
   outputs.commit();
   if (!quiet) report(options, pixels, done);
-  return exit;
+  return kDone;
 }
 
 }  // namespace

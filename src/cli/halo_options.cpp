@@ -5,6 +5,8 @@
 #include "cli/file_words.h"
 #include "cli/number_options.h"
 #include "cli/trace_watch.h"
+#include "picture/memory_limit.h"
+#include "render/needs.h"
 
 namespace parhelion::cli {
 
@@ -39,18 +41,19 @@ double HaloOptions::sunElevation() const {
   return picture.empty() ? run.load().scene.sun.elevation : sunElevationIn(picture);
 }
 
-HaloOptions::Result HaloOptions::make(const PhotoCamera& camera, const StopSignal& stop, EditedPictures edited,
-                                      Transaction& outputs) const {
-  return picture.empty() ? render(camera, stop, outputs) : Result{readHalo(picture, camera, edited), kDone};
+PhotoHalo HaloOptions::make(const PhotoCamera& camera, EditedPictures edited, Transaction& outputs) const {
+  return picture.empty() ? render(camera, outputs) : readHalo(picture, camera, edited);
 }
 
-HaloOptions::Result HaloOptions::render(const PhotoCamera& camera, const StopSignal& stop, Transaction& outputs) const {
+PhotoHalo HaloOptions::render(const PhotoCamera& camera, Transaction& outputs) const {
   const SceneLoader load = [this](const std::vector<std::string>& overrides) { return run.load(overrides); };
   const HaloScene scene = haloSceneFor(camera, coarseness, load);
-  TraceWatch watch(run, scene.coarse.scene.trace.rays, stop);
+  const Scene& coarse = scene.coarse.scene;
+  requireMemory("the halo", memoryToReconstruct(skySizeOf(coarse), coarse.recon, run.threads));
+  TraceWatch watch(run, scene.coarse.scene.trace.rays, nullptr);
   const TracedSky traced = traceSky(scene.coarse, cloudOf(scene.coarse.scene), watch.control());
-  const int exit = watch.report(traced, outputs);
-  return {haloOf(traced, scene, camera, run.threads), exit};
+  watch.report(traced, outputs);
+  return haloOf(traced, scene, camera, run.threads);
 }
 
 }  // namespace parhelion::cli

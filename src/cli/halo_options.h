@@ -5,7 +5,6 @@
 #include <string>
 
 #include "cli/run_options.h"
-#include "cli/stop_signal.h"
 #include "picture/transaction.h"
 #include "render/halo_source.h"
 
@@ -28,17 +27,12 @@ struct HaloOptions {
   /// What the scene says of the sun, rad.
   double sunElevation() const;
 
-  struct Result {
-    PhotoHalo halo;
-    int exitCode;
-  };
-
   /// The halo as this camera sees it, with the sun where it saw it; figures of the run go to `outputs`. Throws
   /// std::runtime_error, SceneError.
-  Result make(const PhotoCamera& camera, const StopSignal& stop, EditedPictures edited, Transaction& outputs) const;
+  PhotoHalo make(const PhotoCamera& camera, EditedPictures edited, Transaction& outputs) const;
 
  private:
-  Result render(const PhotoCamera& camera, const StopSignal& stop, Transaction& outputs) const;
+  PhotoHalo render(const PhotoCamera& camera, Transaction& outputs) const;
 };
 
 }  // namespace parhelion::cli

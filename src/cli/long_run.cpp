@@ -125,7 +125,7 @@ void LongRun::sayWhatIsMissing(const RayRanges& missing) {
 
 RunControl LongRun::control() {
   RunControl control;
-  static_cast<TraceControl&>(control) = traceControl(task_.run, stop_);
+  static_cast<TraceControl&>(control) = traceControl(task_.run, &stop_);
   control.onProgress = [this](std::uint64_t done, double seconds) { showProgress(done, seconds); };
   control.checkpoints.write = [this] { checkpointOnTheWay(); };
   control.checkpoints.requested = [this] { return stop_.takeCheckpointRequest(); };

@@ -11,10 +11,12 @@
 #include "cli/tally_input.h"
 #include "cli/text_output.h"
 #include "picture/exr.h"
+#include "picture/memory_limit.h"
 #include "picture/photograph.h"
 #include "render/measured_sums.h"
 #include "render/measured_tally.h"
 #include "render/measurements.h"
+#include "render/needs.h"
 #include "render/scene_attributes.h"
 
 namespace parhelion::cli {
@@ -48,8 +50,12 @@ int runMap(const MapOptions& options, int binsPerHalfTurn, Tracers& tracers) {
   const TraceSettings settings = settingsOfMeasurement(cloud, loaded.scene.trace);
   const RayRange wanted = options.longRun.wanted(settings.rays, cloud.bundleSize(), options.run);
   const std::string tally = options.longRun.tallyFile();
-  Transaction outputs =
-      claimRun({{options.run.scene}, {options.output, tally, options.run.stats}}, options.run, options.longRun);
+  requireMemory("the map", memoryToMap(binsPerHalfTurn, options.run.threads));
+  Transaction outputs = claimRun({{options.run.scene},
+                                  {options.output, tally, options.run.stats},
+                                  {},
+                                  {{options.output, leastBytesOfMap(binsPerHalfTurn, !options.toExr())}}},
+                                 options.run, options.longRun);
   const StopSignal stop;
   MeasuredSums<MapTally> sums(emptyMapTally(loaded, cloud, binsPerHalfTurn));
   LongRun run({tracers, options.run, options.longRun, cloud, settings, wanted, tally, {}}, sums, stop);

@@ -9,6 +9,9 @@
 #include <sys/stat.h>
 
 #include "cli/own_files.h"
+#include "picture/disk_space.h"
+#include "picture/exr.h"
+#include "picture/photograph.h"
 
 namespace parhelion::cli {
 
@@ -45,9 +48,17 @@ void requireDistinct(const Files& files) {
   }
 }
 
+/// Throws where the disks are too small for all of them together.
+void requireSpace(const Files& files) {
+  SpaceNeeds needs;
+  for (const auto& [output, bytes] : files.leastBytes)
+    if (!isNull(output)) needs.add(output, bytes);
+}
+
 void claimOutput(Transaction& run, const std::string& output, bool overwrite) {
   if (output.empty() || isNull(output)) return;
   run.claim(output);
+  if (extensionOf(output) == ".exr") requireSourceDate();
   if (isStream(output) || overwrite || !std::filesystem::exists(output) || isOwnFile(output)) return;
   throw std::runtime_error(output +
                            ": is there and was not written by parhelion, so it is not replaced; name another output, "
@@ -65,6 +76,7 @@ Transaction claimOutputs(const Files& files, bool overwrite) {
   Transaction run;
   for (const std::string& folder : files.folders) run.makeFolder(folder);
   for (const std::string& output : files.outputs) claimOutput(run, output, overwrite);
+  requireSpace(files);
   return run;
 }
 
@@ -74,6 +86,7 @@ void requireOutputs(const Files& files, bool overwrite) {
     Transaction alone;
     claimOutput(alone, output, overwrite);
   }
+  requireSpace(files);
 }
 
 bool isStream(const std::string& name) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -17,12 +19,13 @@ void addOverwrite(CLI::App& command, bool& overwrite);
 /// those that the outputs need and that are made if they are not there.
 struct Files {
   std::vector<std::string> inputs, outputs, folders = {};
+  std::map<std::string, std::uint64_t> leastBytes = {};  // of outputs, where that is known
 };
 
 /// For commands, before they work: the outputs, claimed for this run. Throws CLI::ValidationError if two of them are
-/// one file or one is an input, and std::runtime_error if one cannot be written, is being written by another run or,
-/// unless `overwrite`, would replace a file that parhelion has not written (isOwnFile). Pipes and devices have nothing
-/// to lose. Leaves all files as they are.
+/// one file or one is an input. Throws std::runtime_error if one cannot be written, is being written by another run,
+/// would not find room on its disk or, unless `overwrite`, would replace a file that parhelion has not written
+/// (isOwnFile). Pipes and devices have nothing to lose. Leaves all files as they are.
 Transaction claimOutputs(const Files& files, bool overwrite);
 
 /// The same without keeping the claims, for commands with too many outputs. Makes no folders.

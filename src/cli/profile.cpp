@@ -12,9 +12,11 @@
 #include "cli/tables.h"
 #include "cli/tally_input.h"
 #include "cli/text_output.h"
+#include "picture/memory_limit.h"
 #include "render/measured_sums.h"
 #include "render/measured_tally.h"
 #include "render/measurements.h"
+#include "render/needs.h"
 
 namespace parhelion::cli {
 
@@ -64,6 +66,7 @@ int runProfile(const ProfileOptions& options, Tracers& tracers) {
   const TraceSettings settings = settingsOfMeasurement(cloud, loaded.scene.trace);
   const RayRange wanted = options.longRun.wanted(settings.rays, cloud.bundleSize(), options.run);
   const std::string tally = options.longRun.tallyFile();
+  requireMemory("the profile", memoryToProfile(options.bins, options.run.threads));
   Transaction outputs = claimRun({{options.run.scene}, {options.output, options.summary, tally, options.run.stats}},
                                  options.run, options.longRun);
   const StopSignal stop;

@@ -10,6 +10,7 @@
 
 #include "cli/commands.h"
 #include "cli/complaint.h"
+#include "cli/process.h"
 #include "cli/say.h"
 #include "cli/thread_words.h"
 #include "scene/scene_error.h"
@@ -45,6 +46,7 @@ int fail(const std::string& reason, int code = kRunTimeFailure) {
 }  // namespace
 
 int runProgram(int argc, char** argv, Tracers& tracers) {
+  prepareProcess();
   try {
     const int code = run(argc, argv, tracers);
     sayMissingThreads();

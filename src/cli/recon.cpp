@@ -15,13 +15,14 @@
 #include "cli/run_options.h"
 #include "cli/say.h"
 #include "cli/stats.h"
-#include "cli/stop_signal.h"
 #include "cli/tally_input.h"
 #include "cli/text_output.h"
 #include "parallel/threads.h"
+#include "picture/memory_limit.h"
 #include "picture/png.h"
 #include "picture/staged_file.h"
 #include "recon/compare.h"
+#include "render/needs.h"
 #include "render/scene_attributes.h"
 #include "sky/confidence.h"
 
@@ -68,16 +69,13 @@ struct ReconRun {
   double seconds = 0.0, cpuSeconds = 0.0;  // of the reconstruction alone
 };
 
-/// Throws ReconStopped on SIGINT and SIGTERM.
 ReconRun timedReconstruction(const ReconOptions& options, const Tally& tally, const ReconSettings& settings) {
   using Clock = std::chrono::steady_clock;
-  const StopSignal stop;
   Progress progress(progressStyle(options.quiet, options.progress), Progress::kOfReconstruction);
   const double cpuBefore = processUsage().cpuSeconds;
   const Clock::time_point start = Clock::now();
   const auto elapsed = [start] { return std::chrono::duration<double>(Clock::now() - start).count(); };
   Watch watch;
-  watch.stop = &stop.requested();
   watch.onProgress = [&](double share) {
     const double seconds = elapsed();
     progress.update(share, seconds, [&](Progress::Style style) { return progressLine(style, share, seconds); });
@@ -176,11 +174,12 @@ void writeReconStats(const ReconOptions& options, const Tally& tally, std::strin
   writeJson(outputs.at(options.stats), json);
 }
 
-Transaction claimOutputsOf(const ReconOptions& options, const SkyFiles& sky) {
+Transaction claimOutputsOf(const ReconOptions& options, const SkyFiles& sky, std::uint64_t leastBytes) {
   Files files{options.references, {}};
   files.inputs.insert(files.inputs.end(), options.tallies.begin(), options.tallies.end());
   const std::string table = options.references.empty() ? "" : "-";
   files.outputs = {sky.exr, sky.png, options.confidence, options.stats, table};
+  files.leastBytes = {{sky.exr, leastBytes}};
   return claimOutputs(files, options.overwrite);
 }
 
@@ -194,16 +193,12 @@ int runRecon(const ReconOptions& options) {
   const std::string& first = options.tallies.front();
   const std::string name = descriptorOf(first) ? first : std::filesystem::path(first).stem().string() + "-sky";
   SkyFiles files = options.picture.files(name);
-  Transaction outputs = claimOutputsOf(options, files);
+  const SkySize size{tally.pixels(), tally.colours() == 3};
+  requireMemory("the picture", memoryToReconstruct(size, loaded.scene.recon, options.threads));
+  Transaction outputs = claimOutputsOf(options, files, leastBytesOfPicture(size, loaded.scene.recon));
   const std::vector<Tally> references = readReferences(options, tally);
 
-  ReconRun run;
-  try {
-    run = timedReconstruction(options, tally, loaded.scene.recon);
-  } catch (const ReconStopped&) {
-    say("interrupted: nothing was written");
-    return kInterrupted;
-  }
+  ReconRun run = timedReconstruction(options, tally, loaded.scene.recon);
   // Before the sun is drawn.
   if (!options.confidence.empty())
     writePng(outputs.at(options.confidence), confidence(run.sky.image), {{"Software", kSoftware}});

@@ -4,6 +4,8 @@
 #include "cli/outputs.h"
 #include "cli/picture.h"
 #include "parallel/threads.h"
+#include "picture/memory_limit.h"
+#include "render/needs.h"
 #include "render/sky_files.h"
 #include "render/sky_sums.h"
 #include "sky/picture_error.h"
@@ -70,7 +72,13 @@ int runRender(const RenderOptions& options, Tracers& tracers) {
   const TraceSettings settings = chosenSettings(cloud, loaded.scene.trace);
   const RayRange wanted = options.longRun.wanted(settings.rays, cloud.bundleSize(), options.run);
   const std::filesystem::path checkpoint = tallyOf(files);
-  Transaction outputs = claimOutputs({{scene}, {files.exr, files.png, options.run.stats}}, options.run.overwrite);
+  const SkySize size = skySizeOf(loaded.scene);
+  requireMemory("the picture", memoryToReconstruct(size, loaded.scene.recon, options.run.threads));
+  Transaction outputs = claimOutputs({{scene},
+                                      {files.exr, files.png, options.run.stats},
+                                      {},
+                                      {{files.exr, leastBytesOfPicture(size, loaded.scene.recon)}}},
+                                     options.run.overwrite);
   Transaction tally = claimRun({{scene}, {options.longRun.leavesCheckpoint() ? checkpoint.string() : ""}}, options.run,
                                options.longRun);
   // Also while the picture is made, so that a late Ctrl-C does not lose what was traced.

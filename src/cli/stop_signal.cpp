@@ -6,6 +6,7 @@ namespace parhelion::cli {
 namespace {
 
 // Signal handlers reach nothing but globals.
+std::array<struct sigaction, 2> beforeStop;  // what SIGINT and SIGTERM did
 std::atomic<bool> stopRequested{false}, hangUp{false}, checkpointRequested{false};
 static_assert(std::atomic<bool>::is_always_lock_free);
 
@@ -21,11 +22,8 @@ void setHandler(int signal, void (*handler)(int)) {
 void onStop(int) {
   stopRequested = true;
   // The next one ends the program. What is ignored stays ignored.
-  for (const int signal : {SIGINT, SIGTERM}) {
-    struct sigaction now {};
-    sigaction(signal, nullptr, &now);
-    if (now.sa_handler != SIG_IGN) setHandler(signal, SIG_DFL);
-  }
+  sigaction(SIGINT, &beforeStop[0], nullptr);
+  sigaction(SIGTERM, &beforeStop[1], nullptr);
 }
 
 // It comes again each second until the hard limit, which cannot be caught.
@@ -57,6 +55,8 @@ void (*handlerOf(int signal))(int) {
 
 StopSignal::StopSignal() {
   stopRequested = hangUp = checkpointRequested = false;
+  sigaction(SIGINT, nullptr, &beforeStop[0]);
+  sigaction(SIGTERM, nullptr, &beforeStop[1]);
   for (std::size_t i = 0; i < kSignals.size(); ++i) {
     sigaction(kSignals[i], nullptr, &before_[i]);
     if (before_[i].sa_handler != SIG_IGN || kSignals[i] == SIGINT) setHandler(kSignals[i], handlerOf(kSignals[i]));

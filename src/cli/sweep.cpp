@@ -8,6 +8,8 @@
 #include "cli/run_options.h"
 #include "cli/say.h"
 #include "cli/trace_watch.h"
+#include "picture/memory_limit.h"
+#include "render/needs.h"
 #include "render/sky_files.h"
 #include "render/sweep.h"
 #include "scene/key_range.h"
@@ -69,6 +71,9 @@ void requireOutputsOf(const SweepOptions& options, const std::vector<SweepFrame>
   for (const SweepFrame& frame : frames) {
     files.outputs.push_back(frame.exr);
     files.outputs.push_back(frame.png());
+    const SkySize size = skySizeOf(frame.loaded.scene);
+    if (!frame.lacks.empty()) files.leastBytes[frame.exr] = leastBytesOfPicture(size, frame.loaded.scene.recon);
+    requireMemory(frame.exr.string(), memoryToReconstruct(size, frame.loaded.scene.recon, options.run.threads));
   }
   requireOutputs(files, options.run.overwrite);
 }
@@ -94,7 +99,7 @@ void reportFrame(const RunOptions& run, const SweepFrame& frame, std::size_t num
 
 /// Renders what is lacking. False if a signal or the time limit, which is for the whole sweep, came first.
 bool renderLacking(const RunOptions& run, const std::vector<SweepFrame>& frames, const StopSignal& stop) {
-  SweepControl control{traceControl(run, stop), {}};
+  SweepControl control{traceControl(run, &stop), {}};
   control.onFrame = [&](std::size_t frame, double seconds) {
     reportFrame(run, frames[frame], frame + 1, frames.size(), seconds);
   };

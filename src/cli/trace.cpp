@@ -5,6 +5,8 @@
 #include "cli/long_run.h"
 #include "cli/outputs.h"
 #include "cli/say.h"
+#include "picture/memory_limit.h"
+#include "render/needs.h"
 #include "render/sky_sums.h"
 #include "sky/picture_error.h"
 
@@ -25,7 +27,11 @@ int runTrace(const TraceOptions& options, Tracers& tracers) {
   const Cloud cloud = cloudOf(loaded.scene);
   const TraceSettings settings = chosenSettings(cloud, loaded.scene.trace);
   const RayRange wanted = options.longRun.wanted(settings.rays, cloud.bundleSize(), options.run);
-  Transaction outputs = claimRun({{options.run.scene}, {output, options.run.stats}}, options.run, options.longRun);
+  const SkySize size = skySizeOf(loaded.scene);
+  requireMemory("the tally", memoryToTrace(size, options.run.threads));
+  Transaction outputs =
+      claimRun({{options.run.scene}, {output, options.run.stats}, {}, {{output, leastBytesOfTally(size)}}}, options.run,
+               options.longRun);
   const StopSignal stop;
   SkySums sums(loaded, cloud);
   const std::string checkpoint = isStream(output) ? "" : output;

@@ -47,16 +47,16 @@ std::string progressLine(Progress::Style style, const TraceProgress& p) {
   return text;
 }
 
-TraceControl traceControl(const RunOptions& options, const StopSignal& stop) {
+TraceControl traceControl(const RunOptions& options, const StopSignal* stop) {
   TraceControl control;
   control.threads = options.threads;
   control.simd = valueOf<Simd>(options.simd);
   control.timeLimit = options.timeLimit;
-  control.stop = &stop.requested();
+  control.stop = stop ? &stop->requested() : nullptr;
   return control;
 }
 
-TraceWatch::TraceWatch(const RunOptions& options, std::uint64_t rays, const StopSignal& stop)
+TraceWatch::TraceWatch(const RunOptions& options, std::uint64_t rays, const StopSignal* stop)
     : options_(options),
       rays_(static_cast<double>(rays)),
       stop_(stop),
@@ -78,7 +78,7 @@ int TraceWatch::report(const TracedScene& traced, Transaction& outputs) {
   if (!options_.quiet) printLedger(traced.report);
   if (!options_.stats.empty())
     writeJson(outputs.at(options_.stats), statsJson(traced.settings, traced.report, options_.threads));
-  return traced.report.interrupted && stop_.requested() ? kInterrupted : kDone;
+  return traced.report.interrupted && stop_ && stop_->requested() ? kInterrupted : kDone;
 }
 
 }  // namespace parhelion::cli

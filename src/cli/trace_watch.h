@@ -23,15 +23,15 @@ struct TraceProgress {
 /// A line of JSON, or one such as "  8.3 %  250k of 3M rays, 2.1M rays/s, 1 s left", and ", error 4.1 % of 1 %".
 std::string progressLine(Progress::Style style, const TraceProgress& progress);
 
-/// How the options have a run traced: threads, registers, time, stopping at the batch's end on SIGINT and SIGTERM;
-/// without a word on stderr.
-TraceControl traceControl(const RunOptions& options, const StopSignal& stop);
+/// How the options have a run traced: threads, registers, time, stopping at the batch's end on SIGINT and SIGTERM
+/// if there is a StopSignal; without a word on stderr.
+TraceControl traceControl(const RunOptions& options, const StopSignal* stop);
 
 /// A run of tracing as its user sees it.
 class TraceWatch {
  public:
   /// `rays` is how many there are to be traced. Options and signal must outlive the watch.
-  TraceWatch(const RunOptions& options, std::uint64_t rays, const StopSignal& stop);
+  TraceWatch(const RunOptions& options, std::uint64_t rays, const StopSignal* stop);
 
   /// Control of the run, with progress on stderr. Valid as long as the watch.
   TraceControl control();
@@ -43,7 +43,7 @@ class TraceWatch {
  private:
   const RunOptions& options_;
   double rays_;
-  const StopSignal& stop_;
+  const StopSignal* stop_;
   Progress progress_;
 };
 

@@ -7,6 +7,7 @@
 #include "cli/photo_options.h"
 #include "cli/view_input.h"
 #include "cli/view_options.h"
+#include "picture/transaction.h"
 
 namespace parhelion::cli {
 

@@ -38,7 +38,8 @@ std::string captureDate() {
   const auto [stop, error] = std::from_chars(text, end, seconds);
   constexpr std::int64_t kYear10000 = 253402300800;
   if (error != std::errc{} || stop != end || seconds < 0 || seconds >= kYear10000) {
-    throw std::runtime_error("SOURCE_DATE_EPOCH: not a number of seconds since 1970");
+    throw std::runtime_error("SOURCE_DATE_EPOCH is no number of seconds since 1970, with a year before 10000: '" +
+                             std::string(text) + "'");
   }
   const std::time_t time = seconds;
   std::tm utc{};
@@ -149,6 +150,8 @@ void convertToRec709(const std::filesystem::path& path, ExrFile& file) {
 }
 
 }  // namespace
+
+void requireSourceDate() { captureDate(); }
 
 void writeBeautyExr(const Output& output, const Image& image, ExrAttributes attributes, Envmap envmap) {
   withExrErrors(output.path, [&] {

@@ -48,6 +48,9 @@ enum class EditedPictures { refused, read };
 /// std::runtime_error "path: reason".
 void writeBeautyExr(const Output& output, const Image& image, ExrAttributes attributes, Envmap envmap = Envmap::none);
 
+/// Throws std::runtime_error if SOURCE_DATE_EPOCH is set and no EXR could be written with it.
+void requireSourceDate();
+
 /// Whether the file begins as EXR files do; false where it cannot be read.
 bool isExr(const std::filesystem::path& path);
 

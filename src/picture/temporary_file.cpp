@@ -9,12 +9,15 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cerrno>
 #include <charconv>
 #include <chrono>
+#include <climits>
 #include <csignal>
 #include <cstdint>
 #include <cstdio>
+#include <ctime>
 #include <stdexcept>
 #include <string_view>
 #include <system_error>
@@ -28,6 +31,30 @@ constexpr int kMostLinks = 40;  // as the kernel does
 constexpr std::size_t kRandomLetters = 10;
 constexpr std::string_view kLetters = "abcdefghijklmnopqrstuvwxyz234567";  // a power of two of them
 constexpr std::string_view kEnding = ".tmp";
+
+/// The names of all temporary files, where a signal handler can find them.
+struct Slot {
+  std::atomic<bool> taken{false}, named{false};
+  std::array<char, PATH_MAX> name;
+};
+std::array<Slot, 64> slots;
+std::atomic<bool> placing{false};
+
+int registered(const std::string& name) {
+  for (std::size_t i = 0; i < slots.size() && name.size() < PATH_MAX; ++i) {
+    if (slots[i].taken.exchange(true)) continue;
+    std::copy_n(name.c_str(), name.size() + 1, slots[i].name.begin());
+    slots[i].named = true;
+    return static_cast<int>(i);
+  }
+  return -1;
+}
+
+void unregister(int slot) {
+  if (slot < 0) return;
+  slots[static_cast<std::size_t>(slot)].named = false;
+  slots[static_cast<std::size_t>(slot)].taken = false;
+}
 
 [[noreturn]] void failWith(int error) { throw std::system_error(error, std::generic_category()); }
 
@@ -159,6 +186,7 @@ std::filesystem::path followLinks(std::filesystem::path path) {
 
 TemporaryFile::TemporaryFile(const std::filesystem::path& target) : target_(target) {
   std::tie(name_, descriptor_) = openedBeside(target);
+  slot_ = registered(name_.string());
 }
 
 TemporaryFile TemporaryFile::claim(const std::filesystem::path& target) {
@@ -172,19 +200,22 @@ TemporaryFile::TemporaryFile(TemporaryFile&& other) noexcept
     : target_(std::move(other.target_)),
       name_(std::move(other.name_)),
       descriptor_(std::exchange(other.descriptor_, -1)),
-      state_(other.state_) {}
+      state_(other.state_),
+      slot_(std::exchange(other.slot_, -1)) {}
 
 TemporaryFile& TemporaryFile::operator=(TemporaryFile&& other) noexcept {
   std::swap(target_, other.target_);
   std::swap(name_, other.name_);
   std::swap(descriptor_, other.descriptor_);
   std::swap(state_, other.state_);
+  std::swap(slot_, other.slot_);
   return *this;
 }
 
 TemporaryFile::~TemporaryFile() {
   if (descriptor_ < 0) return;
   if (state_ == State::temporary || state_ == State::swapped) ::unlink(name_.c_str());
+  unregister(slot_);
   ::close(descriptor_);
 }
 
@@ -212,6 +243,25 @@ void TemporaryFile::undo() noexcept {
   else
     return;
   state_ = State::temporary;
+}
+
+void removeTemporaryFiles() noexcept {
+  constexpr timespec kMoment{0, 1'000'000};  // ns
+  while (placing) ::nanosleep(&kMoment, nullptr);
+  for (const Slot& slot : slots)
+    if (slot.named) ::unlink(slot.name.data());
+}
+
+Placing::Placing() {
+  sigset_t all;
+  ::sigfillset(&all);
+  ::pthread_sigmask(SIG_BLOCK, &all, &before_);
+  placing = true;
+}
+
+Placing::~Placing() {
+  placing = false;
+  ::pthread_sigmask(SIG_SETMASK, &before_, nullptr);
 }
 
 void syncFolder(const std::filesystem::path& folder) {

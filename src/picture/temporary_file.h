@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <signal.h>
 #include <sys/types.h>
 
 #include <filesystem>
@@ -48,6 +49,23 @@ class TemporaryFile {
   std::filesystem::path target_, name_;
   int descriptor_ = -1;
   State state_ = State::temporary;
+  int slot_ = -1;  // among the names known to removeTemporaryFiles()
+};
+
+/// For a signal handler that ends the program: waits until no file is being placed, and removes all temporary files of
+/// this process. Files beyond the first 64 at a time are left to the next run.
+void removeTemporaryFiles() noexcept;
+
+/// While it lives files are being placed, which no signal to this thread interrupts.
+class Placing {
+ public:
+  Placing();
+  ~Placing();
+  Placing(const Placing&) = delete;
+  Placing& operator=(const Placing&) = delete;
+
+ private:
+  sigset_t before_;
 };
 
 /// Makes renames in a folder survive a power failure. Some file systems cannot; the data is complete either way.

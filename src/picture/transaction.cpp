@@ -35,6 +35,7 @@ StagedFile Transaction::take(const std::filesystem::path& path) {
 
 void Transaction::commit() {
   for (StagedFile& file : staged_) file.passOn();
+  const Placing unbroken;
   std::size_t placed = 0;
   try {
     for (; placed < staged_.size(); ++placed) staged_[placed].place();

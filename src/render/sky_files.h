@@ -9,6 +9,7 @@
 #include "picture/gamut.h"
 #include "picture/image.h"
 #include "picture/tone.h"
+#include "picture/transaction.h"
 #include "recon/reconstruct.h"
 #include "render/traced_sky.h"
 

@@ -168,7 +168,7 @@ TEST_CASE("mistakes in what recon reads and writes are refused before anything i
   CHECK(readFile(folder / "r1.exr") == before);
 }
 
-TEST_CASE("an interrupted reconstruction writes nothing, says so and exits 75") {
+TEST_CASE("an interrupted reconstruction writes nothing, says so and exits 130") {
   WithTallies folder;
   REQUIRE(run(folder, "parhelion trace s.toml --resolution 1500x1500 -o big.exr --quiet").exit == 0);
   // Braces: else all of the line runs in the background, the change of folder too.
@@ -176,10 +176,11 @@ TEST_CASE("an interrupted reconstruction writes nothing, says so and exits 75") 
       run(folder, "{ '" PARHELION_BINARY
                   "' recon big.exr --progress json --stats stats.json 2>progress & pid=$!; "
                   "while kill -0 $pid && ! [ -s progress ]; do sleep 0.01; done; kill -INT $pid; wait $pid; }");
-  CHECK(outcome.exit == 75);
+  CHECK(outcome.exit == 130);
   const std::string progress = readFile(folder / "progress");
-  CHECK(progress.find("interrupted: nothing was written") != std::string::npos);
+  CHECK(progress.find("parhelion: interrupted\n") != std::string::npos);
   CHECK(json::parse(progress.substr(0, progress.find('\n'))).contains("share"));
   CHECK_FALSE(std::filesystem::exists(folder / "big-sky.exr"));
   CHECK_FALSE(std::filesystem::exists(folder / "stats.json"));
+  for (const std::string& name : folder.names()) CHECK_FALSE(name.ends_with(".tmp"));
 }

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/needs.h"
+
+#include <algorithm>
+#include <thread>
+#include <variant>
+
+#include "math/overloaded.h"
+
+namespace parhelion {
+
+namespace {
+
+std::uint64_t workers(int threads) {
+  const int processors = static_cast<int>(std::thread::hardware_concurrency());
+  return static_cast<std::uint64_t>(threads > 0 ? std::min(threads, 4 * processors) : processors);
+}
+
+// A worker's waves, and what its allocator keeps.
+std::uint64_t memoryOfWorkers(int threads) { return 1'500'000 * workers(threads); }
+
+std::uint64_t mapBins(int binsPerHalfTurn) {
+  return 2 * static_cast<std::uint64_t>(binsPerHalfTurn) * static_cast<std::uint64_t>(binsPerHalfTurn + 1);
+}
+
+/// Of a picture in colours, at the peak of its reconstruction.
+std::uint64_t bytesPerPixel(const ReconSettings& settings) {
+  return std::visit(Overloaded{
+                        [](const NoSettings&) { return 80; },
+                        [](const GaussianSettings&) { return 150; },
+                        [](const GlassnerSettings&) { return 180; },
+                        [](const MarvastiSettings&) { return 200; },
+                        [](const VoronoiSettings&) { return 230; },
+                        [](const ActSettings&) { return 175; },
+                        [](const GonzatoMarchandSettings&) { return 205; },
+                        [](const AdaptiveSettings&) { return 235; },
+                    },
+                    settings);
+}
+
+}  // namespace
+
+SkySize skySizeOf(const Scene& scene) {
+  const auto* lines = std::get_if<LineSpectrum>(&scene.sun.spectrum);
+  const bool single = std::holds_alternative<MonochromaticSpectrum>(scene.sun.spectrum) ||
+                      (lines && lines->wavelengths.size() == 1);
+  return {std::int64_t{scene.camera.width} * scene.camera.height, !single};
+}
+
+std::uint64_t memoryToTrace(const SkySize& size, int threads) {
+  return static_cast<std::uint64_t>(size.pixels) * (size.colours ? 66 : 34) + memoryOfWorkers(threads);
+}
+
+std::uint64_t memoryToReconstruct(const SkySize& size, const ReconSettings& settings, int threads) {
+  const std::uint64_t colours = static_cast<std::uint64_t>(size.pixels) * bytesPerPixel(settings);
+  return (size.colours ? colours : colours / 100 * 64) + memoryOfWorkers(threads);
+}
+
+std::uint64_t memoryToMap(int binsPerHalfTurn, int threads) {
+  return mapBins(binsPerHalfTurn) * (48 + 24 * workers(threads)) + memoryOfWorkers(threads);
+}
+
+std::uint64_t memoryToProfile(int bins, int threads) {
+  return static_cast<std::uint64_t>(bins) * 125 + memoryOfWorkers(threads);
+}
+
+std::uint64_t leastBytesOfPicture(const SkySize& size, const ReconSettings& settings) {
+  // What is filtered has no two pixels alike: the three colours, or a grey, and one or two errors of them.
+  const std::uint64_t bytes = std::holds_alternative<NoSettings>(settings) ? 1 : size.colours ? 12 : 6;
+  return static_cast<std::uint64_t>(size.pixels) * bytes;
+}
+
+std::uint64_t leastBytesOfTally(const SkySize& size) { return static_cast<std::uint64_t>(size.pixels); }
+
+std::uint64_t leastBytesOfMap(int binsPerHalfTurn, bool asText) { return mapBins(binsPerHalfTurn) * (asText ? 16 : 1); }
+
+}  // namespace parhelion

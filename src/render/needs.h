@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+
+#include "recon/recon_settings.h"
+#include "scene/scene.h"
+
+namespace parhelion {
+
+// What runs take, estimated before they start. The figures are measured, in bytes a pixel or bin.
+
+/// A picture's size, and whether it has colours or luminance alone.
+struct SkySize {
+  std::int64_t pixels = 0;
+  bool colours = true;
+};
+SkySize skySizeOf(const Scene& scene);
+
+// Memory at the peak, beyond what the program takes by itself: right to within a factor of 1.5. `threads` 0: one a
+// processor.
+std::uint64_t memoryToTrace(const SkySize& size, int threads);
+std::uint64_t memoryToReconstruct(const SkySize& size, const ReconSettings& settings, int threads);
+std::uint64_t memoryToMap(int binsPerHalfTurn, int threads);
+std::uint64_t memoryToProfile(int bins, int threads);
+
+// Space on a disk, at least: how far files can be compressed depends on what is in them.
+std::uint64_t leastBytesOfPicture(const SkySize& size, const ReconSettings& settings);
+std::uint64_t leastBytesOfTally(const SkySize& size);
+std::uint64_t leastBytesOfMap(int binsPerHalfTurn, bool asText);
+
+}  // namespace parhelion
