@@ -25,10 +25,10 @@ struct WithScene : Folder {
   }
 };
 
-/// Starts a command and, when it has claimed its outputs, does `then`; $pid is the command's. The exit code is that of
-/// `last`.
+/// Starts a command and, when it has claimed its outputs, does `then`; $pid is the command's. What killed commands have
+/// left goes away first.
 std::string during(const std::string& command, const std::string& then) {
-  return "{ '" PARHELION_BINARY "' " + command +
+  return "{ ls -A | grep '^[.].*tmp$' | xargs -r rm -f; '" PARHELION_BINARY "' " + command +
          " & pid=$!; while kill -0 $pid && ! ls -A | grep -q '^[.].*tmp$'; do sleep 0.02; done; " + then + "; }";
 }
 

@@ -91,10 +91,10 @@ TEST_CASE("a reader of the progress that goes does not end a run, and a table wi
 
 TEST_CASE("a checkpoint that cannot be written is one warning, and the run goes on") {
   const LongRuns folder;
-  // The picture is small, its tally is not: files of 60 kB can be written, larger ones cannot.
+  // The picture is small, the rings of its tally are not: files of 30 kB can be written, larger ones cannot.
   const Outcome outcome =
       run(folder, "(ulimit -f 60; trap '' XFSZ; '" PARHELION_BINARY
-                  "' render plain.toml --resolution 96x96 --rays 1M -o p.exr --checkpoint 0.01s --progress json)");
+                  "' render radial.toml --resolution 32x32 --rays 1M -o p.exr --checkpoint 0.01s --progress json)");
   CHECK_MESSAGE(outcome.exit == 1, outcome.err);
   CHECK(outcome.err.find("warning: no checkpoint: ") != std::string::npos);
   CHECK(outcome.err.find("warning") == outcome.err.rfind("warning"));
