@@ -5,7 +5,8 @@
 cmake_minimum_required(VERSION 3.24)
 
 # Who may write to a stream: words, the line of progress, whole files.
-set(writers cli/say.cpp cli/progress.cpp cli/text_output.cpp picture/atomic_file.cpp view/chart.cpp)
+set(writers cli/say.cpp cli/progress.cpp cli/tally_input.cpp cli/text_output.cpp picture/atomic_file.cpp
+  view/chart.cpp)
 
 set(problems "")
 set(count 0)

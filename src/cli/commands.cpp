@@ -22,6 +22,7 @@ void addCommands(CLI::App& app, int& exit, Tracers& tracers) {
   addRender(app, exit, tracers);
   addTrace(app, exit, tracers);
   addRecon(app, exit);
+  addMerge(app, exit);
   addComposite(app, exit);
   addSweep(app, exit);
   addView(app, exit);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <stdexcept>
+
 #include <CLI/CLI.hpp>
 
 #include "render/tracers.h"
@@ -16,11 +18,17 @@ enum ExitCode {
                       // reconstruction nothing, of a sweep the finished frames
 };
 
+/// Arguments that do not fit together, or a file of another kind than is wanted: why, in one line.
+struct Unfit : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
 // Each adds one subcommand. Once the command line is parsed, the chosen command runs and stores how it ended in `exit`.
 // Long runs are traced by `tracers`.
 void addRender(CLI::App& app, int& exit, Tracers& tracers);
 void addTrace(CLI::App& app, int& exit, Tracers& tracers);
 void addRecon(CLI::App& app, int& exit);
+void addMerge(CLI::App& app, int& exit);
 void addComposite(CLI::App& app, int& exit);
 void addSweep(CLI::App& app, int& exit);
 void addView(CLI::App& app, int& exit);

@@ -112,7 +112,7 @@ int runComposite(const CompositeOptions& options) {
   sayAll(camera.remarks, quiet);
 
   const SkyMask mask = maskOf(options, photograph, camera);
-  const PhotoHalo halo = options.halo.make(camera, outputs);
+  const PhotoHalo halo = options.halo.make(camera, options.camera.rules(0).editedPictures(), outputs);
   const HaloStrength strength =
       haloStrength(strengthSettings(options), photograph, mask, camera.camera, camera.sunElevation, halo.lookup);
   sayAll(strength.remarks, quiet);

@@ -4,6 +4,7 @@
 #include <map>
 #include <stdexcept>
 
+#include "cli/commands.h"
 #include "cli/own_files.h"
 #include "picture/file_kind.h"
 #include "picture/picture_text.h"
@@ -20,7 +21,8 @@ constexpr const char* kOfPhotograph =
     "parhelion composite sets a halo into it, parhelion view looks at it, parhelion info says what it holds";
 constexpr const char* kOfScene = "parhelion render makes a picture of a scene, parhelion trace a tally";
 constexpr const char* kOfTally =
-    "parhelion recon makes a picture of it, parhelion view looks at it, parhelion info --scene prints its scene";
+    "parhelion recon makes a picture of it, parhelion view looks at it, parhelion merge adds others, parhelion info "
+    "--scene prints its scene";
 constexpr const char* kOfOwnPicture = "parhelion view looks at it, parhelion info says what it holds";
 constexpr const char* kOfSky = "parhelion view looks at it, parhelion info --scene prints the scene it was made from";
 
@@ -106,7 +108,7 @@ std::optional<Misfit> misfitOf(const std::filesystem::path& path, std::string_vi
 void requireFit(const std::filesystem::path& path, Wanted wanted) {
   const std::optional<Misfit> misfit = misfitOf(path, startOfFile(path), wanted);
   if (!misfit) return;
-  throw std::runtime_error(path.string() + ": " + misfit->message + (misfit->hint.empty() ? "" : ": " + misfit->hint));
+  throw Unfit(path.string() + ": " + misfit->message + (misfit->hint.empty() ? "" : ": " + misfit->hint));
 }
 
 }  // namespace parhelion::cli

@@ -21,7 +21,7 @@ struct Misfit {
 /// None if a file that begins with these bytes may be what is wanted: only its reader knows for sure.
 std::optional<Misfit> misfitOf(const std::filesystem::path& path, std::string_view start, Wanted wanted);
 
-/// Throws std::runtime_error "path: what it is: which command wants it" if the file cannot be what is wanted.
+/// Throws Unfit "path: what it is: which command wants it" if the file cannot be what is wanted.
 void requireFit(const std::filesystem::path& path, Wanted wanted);
 
 }  // namespace parhelion::cli

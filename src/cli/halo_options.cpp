@@ -41,8 +41,8 @@ double HaloOptions::sunElevation() const {
   return picture.empty() ? run.load().scene.sun.elevation : sunElevationIn(picture);
 }
 
-PhotoHalo HaloOptions::make(const PhotoCamera& camera, Transaction& outputs) const {
-  return picture.empty() ? render(camera, outputs) : readHalo(picture, camera);
+PhotoHalo HaloOptions::make(const PhotoCamera& camera, EditedPictures edited, Transaction& outputs) const {
+  return picture.empty() ? render(camera, outputs) : readHalo(picture, camera, edited);
 }
 
 PhotoHalo HaloOptions::render(const PhotoCamera& camera, Transaction& outputs) const {

@@ -29,7 +29,7 @@ struct HaloOptions {
 
   /// The halo as this camera sees it, with the sun where it saw it; figures of the run go to `outputs`. Throws
   /// std::runtime_error, SceneError.
-  PhotoHalo make(const PhotoCamera& camera, Transaction& outputs) const;
+  PhotoHalo make(const PhotoCamera& camera, EditedPictures edited, Transaction& outputs) const;
 
  private:
   PhotoHalo render(const PhotoCamera& camera, Transaction& outputs) const;

@@ -3,8 +3,10 @@
 
 #include "cli/commands.h"
 #include "cli/info_photograph.h"
+#include "cli/info_tally.h"
 #include "cli/say.h"
 #include "cli/scene_input.h"
+#include "cli/tally_input.h"
 #include "picture/exr.h"
 #include "picture/file_kind.h"
 #include "picture/picture_text.h"
@@ -18,13 +20,13 @@ namespace {
 
 struct InfoOptions {
   std::string file;
-  bool sceneOnly = false;
+  bool sceneOnly = false, edited = false;
 };
 
-int infoExr(const std::string& path) {
+int infoExr(const std::string& path, EditedPictures edited) {
   const ExrFrame exr = readExrFrame(path);
   answer("%s: EXR, %d x %d", path.c_str(), exr.width, exr.height);
-  for (const ChannelRange& channel : readExrRanges(path))
+  for (const ChannelRange& channel : readExrRanges(path, edited))
     answer("channel %-12s min %-12g mean %-12g max %g", shortened(channel.name).c_str(), channel.least, channel.mean,
            channel.greatest);
   printTexts(exr.attributes, path);
@@ -44,7 +46,9 @@ int runInfo(const InfoOptions& options) {
   const FileKind kind = kindOf(startOfFile(options.file));
   if (kind.isPhotograph()) {
     if (options.sceneOnly) return printScene(options.file, readPictureText(options.file));
-    return kind.family == FileKind::Family::exr ? infoExr(options.file) : infoPhotograph(options.file, kind);
+    if (isTallyFile(options.file)) return infoTally(options.file);
+    const EditedPictures edited = options.edited ? EditedPictures::read : EditedPictures::refused;
+    return kind.family == FileKind::Family::exr ? infoExr(options.file, edited) : infoPhotograph(options.file, kind);
   }
   const LoadedScene loaded = loadSceneOf(options.file);
   answerLines(options.sceneOnly ? loaded.text : describeScene(loaded.scene));
@@ -60,6 +64,8 @@ void addInfo(CLI::App& app, int& exit) {
       ->required()
       ->type_name("FILE");
   command->add_flag("--scene", options->sceneOnly, "Print only the scene's text, ready to be rendered again");
+  command->add_flag("--edited", options->edited,
+                    "Take an EXR of parhelion as it is, though another program has changed it");
   command->callback([options, &exit] { exit = runInfo(*options); });
 }
 

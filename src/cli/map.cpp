@@ -8,11 +8,13 @@
 #include "cli/outputs.h"
 #include "cli/run_options.h"
 #include "cli/tables.h"
+#include "cli/tally_input.h"
 #include "cli/text_output.h"
 #include "picture/exr.h"
 #include "picture/memory_limit.h"
 #include "picture/photograph.h"
 #include "render/measured_sums.h"
+#include "render/measured_tally.h"
 #include "render/measurements.h"
 #include "render/needs.h"
 #include "render/scene_attributes.h"
@@ -71,18 +73,39 @@ int runMap(const MapOptions& options, int binsPerHalfTurn, Tracers& tracers) {
   return run.exitCode();
 }
 
+/// The table of a tally that was traced before.
+int mapOfTally(const MapOptions& options) {
+  requireMeasured(options.run, TallyKind::map);
+  Transaction outputs = claimOutputs({{options.run.scene}, {options.output}}, options.run.overwrite);
+  const MapTally tally = readMapTally(options.run.scene);
+  const LoadedScene loaded = parseScene(tally.origin.scene, "the scene in " + options.run.scene);
+  if (options.toExr())
+    writeBeautyExr(outputs.at(options.output), mapPicture(tally.sums),
+                   sceneAttributes(loaded, tally.origin.rayCount()));
+  else
+    writeText(outputs.at(options.output), csv(tally.sums));
+  outputs.commit();
+  return kDone;
+}
+
 }  // namespace
 
 void addMap(CLI::App& app, int& exit, Tracers& tracers) {
   auto options = std::make_shared<MapOptions>();
-  CLI::App* command = app.add_subcommand("map", "Light over azimuth and elevation of the whole sphere, as CSV or EXR");
+  CLI::App* command = app.add_subcommand(
+      "map", "Light over azimuth and elevation of the whole sphere, as CSV or EXR, of a scene or a tally");
   options->run.addTo(*command, false);
   options->longRun.addTo(*command, LongRunOptions::Keeps::tallyByName);
   command->add_option("--step", options->step, "Size of a bin, degrees; 90 must be a multiple of it")
       ->transform(number(0.01, 90.0));
   command->add_option("-o,--output", options->output, "CSV file, or EXR by its name; - for CSV on stdout")
       ->type_name("FILE");
-  command->callback([options, &exit, &tracers] {
+  command->callback([options, command, &exit, &tracers] {
+    if (isMeasuredTally(options->run.scene)) {
+      if (command->count("--step") > 0) throw Unfit("--step: the bins of a tally are what they are");
+      exit = mapOfTally(*options);
+      return;
+    }
     constexpr double kRounding = 1e-9;  // relative; steps such as 0.1 are not exact in binary
     const double rows = 90.0 / options->step;
     if (std::abs(rows - std::round(rows)) > kRounding * rows)

@@ -100,6 +100,7 @@ void PhotoOptions::addTo(CLI::App& command) {
   angle("--elevation", elevation, "Elevation of the optical axis", -90.0, 90.0);
   angle("--roll", roll, "Clockwise turn of the camera; with --sun alone 0 when left out", -360.0, 360.0);
   command.add_flag("--assume-srgb", assumeSrgb, "Take the picture's colours for sRGB, whatever its profile says");
+  command.add_flag("--edited", edited, "Take an EXR of parhelion as it is, though another program has changed it");
 }
 
 bool PhotoOptions::given() const {

@@ -25,12 +25,12 @@ struct PhotoOptions {
   std::string distortion, shift, sun;
   std::vector<std::string> horizon, known;
   std::optional<double> sunElevation, azimuth, elevation, roll;  // degrees
-  bool assumeSrgb = false;
+  bool assumeSrgb = false, edited = false;
 
   void addTo(CLI::App& command);
 
   /// How to read a photograph of whose pixels each takes so many bytes of work.
-  PhotographRules rules(int bytesForUse) const { return {assumeSrgb, bytesForUse}; }
+  PhotographRules rules(int bytesForUse) const { return {assumeSrgb, bytesForUse, edited}; }
 
   /// Whether anything was said of the lens or of where it pointed.
   bool given() const;

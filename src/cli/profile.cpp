@@ -10,9 +10,11 @@
 #include "cli/run_options.h"
 #include "cli/stats.h"
 #include "cli/tables.h"
+#include "cli/tally_input.h"
 #include "cli/text_output.h"
 #include "picture/memory_limit.h"
 #include "render/measured_sums.h"
+#include "render/measured_tally.h"
 #include "render/measurements.h"
 #include "render/needs.h"
 
@@ -83,6 +85,17 @@ int runProfile(const ProfileOptions& options, Tracers& tracers) {
   return run.exitCode();
 }
 
+/// The table of a tally that was traced before.
+int profileOfTally(const ProfileOptions& options) {
+  requireMeasured(options.run, TallyKind::profile);
+  Transaction outputs = claimOutputs({{options.run.scene}, {options.output, options.summary}}, options.run.overwrite);
+  const ProfileTally tally = readProfileTally(options.run.scene);
+  writeText(outputs.at(options.output), csv(tally.sums));
+  if (!options.summary.empty()) writeJson(outputs.at(options.summary), json(tally.sums.summary()));
+  outputs.commit();
+  return kDone;
+}
+
 }  // namespace
 
 void addProfile(CLI::App& app, int& exit, Tracers& tracers) {
@@ -99,7 +112,13 @@ void addProfile(CLI::App& app, int& exit, Tracers& tracers) {
   command->add_option("-o,--output", options->output, "CSV file; - for stdout")->type_name("FILE");
   command->add_option("--summary", options->summary, "JSON file of g, delta fraction, energy by order, mean path ...")
       ->type_name("FILE");
-  command->callback([options, &exit, &tracers] {
+  command->callback([options, command, &exit, &tracers] {
+    if (isMeasuredTally(options->run.scene)) {
+      for (const char* bins : {"--bins", "--from", "--to"})
+        if (command->count(bins) > 0) throw Unfit(bins + std::string(": the bins of a tally are what they are"));
+      exit = profileOfTally(*options);
+      return;
+    }
     if (!(options->from < options->to)) throw CLI::ValidationError("--from must be less than --to");
     exit = runProfile(*options, tracers);
   });

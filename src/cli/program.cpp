@@ -12,6 +12,7 @@
 #include "cli/complaint.h"
 #include "cli/process.h"
 #include "cli/say.h"
+#include "cli/thread_words.h"
 #include "scene/scene_error.h"
 
 namespace parhelion::cli {
@@ -24,6 +25,7 @@ int run(int argc, char** argv, Tracers& tracers) {
   app.require_subcommand(1);
 
   int exit = kDone;
+  countThreads();
   addCommands(app, exit, tracers);
   try {
     app.parse(argc, argv);
@@ -36,9 +38,9 @@ int run(int argc, char** argv, Tracers& tracers) {
   return exit;
 }
 
-int fail(const std::string& reason) {
+int fail(const std::string& reason, int code = kRunTimeFailure) {
   say("parhelion: error: %s", reason.c_str());
-  return kRunTimeFailure;
+  return code;
 }
 
 }  // namespace
@@ -47,11 +49,14 @@ int runProgram(int argc, char** argv, Tracers& tracers) {
   prepareProcess();
   try {
     const int code = run(argc, argv, tracers);
+    sayMissingThreads();
     if (std::fflush(stdout) != 0 || std::ferror(stdout)) return fail(std::string("stdout: ") + std::strerror(errno));
     return code;
   } catch (const SceneError& error) {
     sayLines(std::string(error.what()) + "\n");
     return kUsageError;
+  } catch (const Unfit& error) {
+    return fail(error.what(), kUsageError);
   } catch (const std::bad_alloc&) {
     return fail("out of memory");
   } catch (const std::exception& error) {

@@ -8,7 +8,6 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/commands.h"
-#include "cli/file_words.h"
 #include "cli/number_options.h"
 #include "cli/outputs.h"
 #include "cli/picture.h"
@@ -16,22 +15,24 @@
 #include "cli/run_options.h"
 #include "cli/say.h"
 #include "cli/stats.h"
+#include "cli/tally_input.h"
 #include "cli/text_output.h"
 #include "parallel/threads.h"
 #include "picture/memory_limit.h"
 #include "picture/png.h"
+#include "picture/staged_file.h"
 #include "recon/compare.h"
 #include "render/needs.h"
 #include "render/scene_attributes.h"
 #include "sky/confidence.h"
-#include "sky/tally_exr.h"
 
 namespace parhelion::cli {
 
 namespace {
 
 struct ReconOptions {
-  std::string tally, method;
+  std::vector<std::string> tallies;
+  std::string method;
   std::vector<std::string> overrides, references;
   PictureOptions picture;
   std::string confidence, stats;
@@ -49,7 +50,7 @@ struct ReconOptions {
     // The settings of the scene's own method are none of another's.
     if (!method.empty()) all.push_back("recon={method='" + method + "'}");
     all.insert(all.end(), overrides.begin(), overrides.end());
-    return parseScene(traced.info.scene, "the scene in " + tally, all);
+    return parseScene(traced.info.scene, "the scene in " + tallies.front(), all);
   }
 };
 
@@ -86,25 +87,29 @@ ReconRun timedReconstruction(const ReconOptions& options, const Tally& tally, co
 }
 
 template <class Check>
-void requireFitting(const std::string& a, const std::string& b, const Check& check) {
+void requirePair(const std::string& a, const std::string& b, const Check& check) {
   try {
     check();
   } catch (const std::invalid_argument& error) {
-    throw CLI::ValidationError("--compare", a + " and " + b + ": " + error.what());
+    throw Unfit(a + " and " + b + ": " + error.what());
   }
 }
 
-/// The tallies of --compare. Throws CLI::ValidationError unless they can be compared with the sky of `tally`.
+Tally readAlone(const std::string& path) {
+  const TallyInputs input(std::vector{path});
+  return sumOfTallies(input.files());
+}
+
+/// The tallies of --compare. Throws Unfit unless they can be compared with the sky of `tally`.
 std::vector<Tally> readReferences(const ReconOptions& options, const Tally& tally) {
   const std::vector<std::string>& paths = options.references;
   std::vector<Tally> references;
   for (const std::string& path : paths) {
-    requireFit(path, Wanted::tally);
-    references.push_back(readTallyExr(path));
-    requireFitting(options.tally, path, [&] { requireReferencePair(tally.info, references.back().info); });
+    references.push_back(readAlone(path));
+    requirePair(options.tallies.front(), path, [&] { requireReferencePair(tally.info, references.back().info); });
   }
   if (references.size() == 2)
-    requireFitting(paths[0], paths[1], [&] { requireReferencePair(references[0].info, references[1].info); });
+    requirePair(paths[0], paths[1], [&] { requireReferencePair(references[0].info, references[1].info); });
   return references;
 }
 
@@ -171,7 +176,7 @@ void writeReconStats(const ReconOptions& options, const Tally& tally, std::strin
 
 Transaction claimOutputsOf(const ReconOptions& options, const SkyFiles& sky, std::uint64_t leastBytes) {
   Files files{options.references, {}};
-  files.inputs.push_back(options.tally);
+  files.inputs.insert(files.inputs.end(), options.tallies.begin(), options.tallies.end());
   const std::string table = options.references.empty() ? "" : "-";
   files.outputs = {sky.exr, sky.png, options.confidence, options.stats, table};
   files.leastBytes = {{sky.exr, leastBytes}};
@@ -179,11 +184,14 @@ Transaction claimOutputsOf(const ReconOptions& options, const SkyFiles& sky, std
 }
 
 int runRecon(const ReconOptions& options) {
-  requireFit(options.tally, Wanted::tally);
-  const Tally tally = readTallyExr(options.tally);
+  const TallyInputs inputs(options.tallies);
+  const TallySet set = requireFitting(inputs);
+  if (options.tallies.size() > 1) reportMissing(set, false, options.quiet);
+  const Tally tally = sumOfTallies(inputs.files());
   const LoadedScene loaded = options.load(tally);
   // A tally is an EXR, too: the picture's name must differ.
-  const std::string name = std::filesystem::path(options.tally).stem().string() + "-sky";
+  const std::string& first = options.tallies.front();
+  const std::string name = descriptorOf(first) ? first : std::filesystem::path(first).stem().string() + "-sky";
   SkyFiles files = options.picture.files(name);
   const SkySize size{tally.pixels(), tally.colours() == 3};
   requireMemory("the picture", memoryToReconstruct(size, loaded.scene.recon, options.threads));
@@ -210,7 +218,11 @@ std::string validOverride(const std::string& text) {
 }
 
 void addOptions(CLI::App& command, ReconOptions& options) {
-  command.add_option("tally", options.tally, "A tally that trace has written")->required()->type_name("TALLY");
+  command
+      .add_option("tallies", options.tallies,
+                  "A tally that trace has written, or several of different rays, which are added up; - for stdin")
+      ->required()
+      ->type_name("TALLY");
   command.add_option("--method", options.method, "How hits become an image; as the scene says when left out")
       ->type_name("NAME")
       ->check(nameOfOne<ReconSettings>());

@@ -55,9 +55,8 @@ ViewInput readViewInput(const std::string& path, const PhotographRules& rules) {
   if (input.photograph.text.contains(kTallyKey)) {
     input.tally = readTallyExr(path);
     input.light = plainRadiance(*input.tally);
-    input.photograph.text[kSceneKey] = input.tally->info.scene;
   } else {
-    input.light = readExr(path, exrColours(rules), {true, rules.bytesForUse}).image;
+    input.light = readExr(path, exrColours(rules), {true, rules.bytesForUse, rules.editedPictures()}).image;
     requireColours(path, *input.light);
   }
   return input;

@@ -10,6 +10,7 @@ namespace parhelion {
 TabulatedDensity::TabulatedDensity(const std::function<double(double)>& unnormalised, double lo, double hi, int cells)
     : lo_(lo), hi_(hi), step_((hi - lo) / cells) {
   if (!(hi > lo) || cells < 1) throw std::invalid_argument("a tabulated density needs lo < hi and at least one cell");
+  density_.reserve(static_cast<std::size_t>(cells) + 1);
   for (int i = 0; i <= cells; ++i) {
     const double value = unnormalised(i == cells ? hi : lo + i * step_);
     if (!(value >= 0.0) || !std::isfinite(value)) throw std::invalid_argument("a density must be finite and >= 0");
@@ -27,6 +28,7 @@ TabulatedDensity::TabulatedDensity(const std::function<double(double)>& unnormal
 
   // The guide makes the search for a cell a step or two instead of a bisection.
   int cell = 0;
+  guide_.reserve(density_.size());
   for (int k = 0; k <= cells; ++k) {
     while (cell + 1 < cells && cumulative_[cell + 1] <= static_cast<double>(k) / cells) ++cell;
     guide_.push_back(cell);

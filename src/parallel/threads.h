@@ -9,6 +9,13 @@
 
 namespace parhelion {
 
+/// How many of so many threads, the caller's among them, the system lets this process have at the same time: the limit
+/// of processes of a user or a container may allow fewer (ulimit -u). They are started once, to see. At least 1.
+int startableThreads(int wanted);
+
+/// The most threads that were wanted so far and not to be had, for a word to the user; 0 if none.
+int missingThreads();
+
 /// So many threads for parallel loops, at most four a processor: more would only get into each other's way. 0: one a
 /// processor.
 class Threads {
@@ -25,7 +32,7 @@ class Threads {
 
  private:
   Threads(int processors, int threads)
-      : count_(threads > 0 ? std::min(threads, 4 * processors) : processors),
+      : count_(startableThreads(threads > 0 ? std::min(threads, 4 * processors) : processors)),
         limit_(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(count_)),
         arena_(count_) {}
 

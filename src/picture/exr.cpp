@@ -8,6 +8,7 @@
 #include <ImfMultiPartInputFile.h>
 #include <ImfOutputFile.h>
 #include <ImfStandardAttributes.h>
+#include <ImfStringAttribute.h>
 
 #include <algorithm>
 #include <array>
@@ -20,8 +21,10 @@
 #include <span>
 
 #include "picture/colour_space.h"
+#include "picture/exr_checksum.h"
 #include "picture/exr_stream.h"
 #include "picture/limits.h"
+#include "picture/meaning.h"
 
 namespace parhelion {
 namespace {
@@ -152,7 +155,10 @@ void requireSourceDate() { captureDate(); }
 
 void writeBeautyExr(const Output& output, const Image& image, ExrAttributes attributes, Envmap envmap) {
   withExrErrors(output.path, [&] {
-    const Imf::Header header = beautyHeader(image, std::move(attributes), envmap);
+    attributes.insert_or_assign(kPictureKey, std::string(1, kPictureFormat));
+    attributes.erase(kChecksumKey);  // of the picture that this one was made from
+    Imf::Header header = beautyHeader(image, attributes, envmap);
+    header.insert(kChecksumKey, Imf::StringAttribute(pictureChecksum(header, checksumsOf(image))));
     AtomicFile file(output);
     {
       ExrOutput stream(output.path, file);
@@ -177,9 +183,10 @@ ExrFile readExr(const std::filesystem::path& path, ExrColours colours, ExrWanted
   requireSaneHeaders(path);
   return withExrErrors(path, [&] {
     Imf::MultiPartInputFile file(path.c_str(), 0, false);  // no threads, no guessing at missing scan lines
+    if (wanted.edited == EditedPictures::refused) requireUnchanged(path, file);
     Image image = readPart(path, file, wanted);
     const Imf::Header& header = file.header(0);
-    ExrFile read{std::move(image), textOf(header), displayOf(header), chromaticitiesOf(header)};
+    ExrFile read{std::move(image), withoutMarks(textOf(header)), displayOf(header), chromaticitiesOf(header)};
     if (colours == ExrColours::rec709) convertToRec709(path, read);
     return read;
   });
@@ -195,14 +202,16 @@ ExrFrame readExrFrame(const std::filesystem::path& path) {
     ExrFrame frame{
         window.max.x - window.min.x + 1, window.max.y - window.min.y + 1, displayOf(header), {}, textOf(header)};
     for (auto c = header.channels().begin(); c != header.channels().end(); ++c) frame.channels.emplace_back(c.name());
+    frame.attributes = withoutMarks(std::move(frame.attributes));
     return frame;
   });
 }
 
-std::vector<ChannelRange> readExrRanges(const std::filesystem::path& path) {
+std::vector<ChannelRange> readExrRanges(const std::filesystem::path& path, EditedPictures edited) {
   requireSaneHeaders(path);
   return withExrErrors(path, [&] {
     Imf::MultiPartInputFile file(path.c_str(), 0, false);
+    if (edited == EditedPictures::refused) requireUnchanged(path, file);
     return rangesOf(path, file);
   });
 }
@@ -211,7 +220,7 @@ ExrAttributes readExrAttributes(const std::filesystem::path& path) {
   requireSaneHeaders(path);
   return withExrErrors(path, [&] {
     Imf::MultiPartInputFile file(path.c_str(), 0, false);
-    return textOf(file.header(0));
+    return withoutMarks(textOf(file.header(0)));
   });
 }
 

@@ -39,8 +39,11 @@ enum class ExrColours {
   asStored,  // the numbers in the file
 };
 
+/// What becomes of a picture of ours that is damaged, or that another program has changed but for its checksum.
+enum class EditedPictures { refused, read };
+
 /// Writes a picture for any viewer: one part, all channels as 32-bit floats, scan lines, ZIP, with the chromaticities
-/// of Rec.709 and, for environment light, the attribute `envmap`. Adds `capDate` if the environment sets
+/// of Rec.709, a checksum and, for environment light, the attribute `envmap`. Adds `capDate` if the environment sets
 /// SOURCE_DATE_EPOCH; else the same picture gives the same bytes. In one piece or not at all (atomic_file.h). Throws
 /// std::runtime_error "path: reason".
 void writeBeautyExr(const Output& output, const Image& image, ExrAttributes attributes, Envmap envmap = Envmap::none);
@@ -55,12 +58,13 @@ bool isExr(const std::filesystem::path& path);
 struct ExrWanted {
   bool coloursOnly = false;  // channels R, G, B, A and Y
   int bytesForUse = 0;       // a pixel, that the caller is going to take beside the samples
+  EditedPictures edited = EditedPictures::refused;
 };
 
 /// Reads the first part of any flat scan-line EXR, its channels as floats, and its text attributes. Before it takes
 /// memory, it asks requireMemoryFor(). Pixels with samples that are not finite stay as they are stored. Throws
 /// std::runtime_error "path: reason" for whatever is wrong with it, also for chromaticities that make no colour space
-/// if they are needed.
+/// if they are needed, and for a checksum that does not fit. That is not among the attributes that it gives.
 ExrFile readExr(const std::filesystem::path& path, ExrColours colours = ExrColours::rec709, ExrWanted wanted = {});
 
 /// What an EXR says of itself before its samples come.
@@ -82,7 +86,8 @@ struct ChannelRange {
 };
 
 /// Of all channels of the first part, in memory for a few of its rows. Throws as readExr does.
-std::vector<ChannelRange> readExrRanges(const std::filesystem::path& path);
+std::vector<ChannelRange> readExrRanges(const std::filesystem::path& path,
+                                        EditedPictures edited = EditedPictures::refused);
 
 /// Its text attributes alone, whatever its first part is. Throws as readExr does if the header cannot be read.
 ExrAttributes readExrAttributes(const std::filesystem::path& path);

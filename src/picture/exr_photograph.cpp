@@ -34,15 +34,15 @@ void requireReadableDisplay(const std::filesystem::path& path, const ExrFrame& f
 
 }  // namespace
 
-StoredPicture readExrPhotograph(const std::filesystem::path& path, ExrColours colours, int bytesForUse) {
+StoredPicture readExrPhotograph(const std::filesystem::path& path, const PhotographRules& rules) {
   const ExrFrame frame = readExrFrame(path);
   requireReadableDisplay(path, frame);
   const DisplayWindow& display = frame.display;
   const std::uint64_t most = 4 * sizeof(float);  // of a pixel in the file and of one on display
   requireMemoryFor(path, static_cast<std::uint64_t>(frame.width) * static_cast<std::uint64_t>(frame.height) * most +
                              static_cast<std::uint64_t>(display.width) * static_cast<std::uint64_t>(display.height) *
-                                 (most + static_cast<std::uint64_t>(bytesForUse)));
-  ExrFile file = readExr(path, colours, {.coloursOnly = true});
+                                 (most + static_cast<std::uint64_t>(rules.bytesForUse)));
+  ExrFile file = readExr(path, exrColours(rules), {.coloursOnly = true, .edited = rules.editedPictures()});
   const auto planes = planesOf(path, file.image, frame.channels);
   StoredPicture stored;
   stored.picture.width = display.width;

@@ -10,7 +10,7 @@ namespace parhelion {
 
 /// Reads a flat scan-line EXR with channels R, G, B or only Y, and A if it has one, as its display window shows it: 0
 /// outside of what the file holds. Text attributes go into `text`. Throws std::runtime_error "path: reason".
-/// Before it takes memory for the samples, and for the caller's `bytesForUse` a pixel, it asks requireMemoryFor().
-StoredPicture readExrPhotograph(const std::filesystem::path& path, ExrColours colours, int bytesForUse);
+/// Before it takes memory for the samples, and for the `bytesForUse` of the rules, it asks requireMemoryFor().
+StoredPicture readExrPhotograph(const std::filesystem::path& path, const PhotographRules& rules);
 
 }  // namespace parhelion

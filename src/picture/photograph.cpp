@@ -37,7 +37,7 @@ StoredPicture readStored(const std::filesystem::path& path, const PhotographRule
   const std::string_view start(first.data(), first.size());
   if (start.starts_with(kJpegStart)) return readJpeg(path, rules.bytesForUse);
   if (start == kPngStart) return readPng(path, rules.bytesForUse);
-  if (start.starts_with(kExrStart)) return readExrPhotograph(path, exrColours(rules), rules.bytesForUse);
+  if (start.starts_with(kExrStart)) return readExrPhotograph(path, rules);
   throw pictureError(path, "not a JPEG, PNG or EXR file");
 }
 

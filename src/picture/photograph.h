@@ -41,6 +41,9 @@ inline float linearAt(const Samples& samples, std::size_t i) {
 struct PhotographRules {
   bool assumeSrgb = false;  // take the samples as sRGB, whatever colour space the file is tagged with
   int bytesForUse = 0;      // a pixel, that the caller is going to take beside the samples
+  bool edited = false;      // read an EXR of ours even if it is not as we have written it
+
+  EditedPictures editedPictures() const { return edited ? EditedPictures::read : EditedPictures::refused; }
 };
 
 /// How an EXR is to be read by these rules.

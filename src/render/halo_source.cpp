@@ -70,9 +70,9 @@ double sunElevationIn(const std::filesystem::path& sky) {
   return sceneIn(readExrAttributes(sky), sky.string()).scene.sun.elevation;
 }
 
-PhotoHalo readHalo(const std::filesystem::path& path, const PhotoCamera& camera) {
+PhotoHalo readHalo(const std::filesystem::path& path, const PhotoCamera& camera, EditedPictures edited) {
   constexpr int kOfLookup = 32;  // bytes a pixel
-  const ExrFile sky = readExr(path, ExrColours::rec709, {true, kOfLookup});
+  const ExrFile sky = readExr(path, ExrColours::rec709, {true, kOfLookup, edited});
   const LoadedScene loaded = sceneIn(sky.attributes, path.string());
   requireSky(sky, path.string());
   requireSameSun(loaded.scene.sun.elevation, camera.sunElevation, path.string());

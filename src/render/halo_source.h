@@ -44,6 +44,7 @@ double sunElevationIn(const std::filesystem::path& sky);
 
 /// The halo from a sky that was rendered before, by any camera. Throws std::runtime_error if it is none, or its sun was
 /// at another elevation.
-PhotoHalo readHalo(const std::filesystem::path& sky, const PhotoCamera& camera);
+PhotoHalo readHalo(const std::filesystem::path& sky, const PhotoCamera& camera,
+                   EditedPictures edited = EditedPictures::refused);
 
 }  // namespace parhelion

@@ -12,6 +12,7 @@
 
 #include "math/rotation.h"
 #include "picture/exr_stream.h"
+#include "picture/limits.h"
 #include "render/scene_attributes.h"
 #include "scene/traced_keys.h"
 #include "sky/sums_exr.h"
@@ -62,6 +63,8 @@ std::size_t placeOf(const std::filesystem::path& path, const SumsExr& file, cons
 
 /// The places of all parts. The memory for the bins is to be had only once the file is known to hold them.
 std::vector<std::size_t> placesFor(const std::filesystem::path& path, const SumsExr& file, std::size_t bins) {
+  constexpr std::uint64_t kOfBin = sizeof(std::int64_t) + sizeof(SquareTotal);  // bytes
+  requireMemoryFor(path, bins * kOfBin);
   std::vector<std::size_t> places;
   for (const SumsPart& wanted : partsFor(bins)) places.push_back(placeOf(path, file, wanted));
   if (file.parts().size() != places.size())

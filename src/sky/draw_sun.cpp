@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "math/rotation.h"
 
@@ -14,19 +15,68 @@ namespace {
 constexpr double kSamplesAcrossDisc = 64.0;
 constexpr int kMostSamplesAcrossPixel = 512;
 
-/// Mean radiance of the disc over one pixel, by a grid of sub-pixels.
-double meanRadiance(const Camera& camera, const Sun& sun, int x, int y, int samples) {
-  double sum = 0.0;
-  int onSky = 0;
-  for (int j = 0; j < samples; ++j)
-    for (int i = 0; i < samples; ++i) {
-      const auto toSky = camera.toSky(Vec2(x + (i + 0.5) / samples, y + (j + 0.5) / samples));
-      if (!toSky) continue;
-      ++onSky;
-      sum += sun.radiance(angleBetween(*toSky, sun.toCentre()));
+/// Mean radiance of the disc over one pixel, by a grid of samples. Blocks of them that lie beside the disc are not
+/// looked at one by one.
+class PixelMean {
+ public:
+  PixelMean(const Camera& camera, const Sun& sun, int x, int y, int samples)
+      : camera_(camera), sun_(sun), x_(x), y_(y), samples_(samples) {
+    addBlock({0, 0, samples, samples});
+  }
+
+  double value() const { return onSky_ > 0 ? sum_ / onSky_ : 0.0; }
+
+ private:
+  struct Block {
+    int left, top, width, height;  // samples
+  };
+
+  std::optional<Vec3> at(double i, double j) const { return camera_.toSky(Vec2(x_ + i / samples_, y_ + j / samples_)); }
+
+  void addBlock(const Block& b) {
+    constexpr int kSmall = 4;
+    if (b.width <= kSmall && b.height <= kSmall) return addSamples(b);
+    if (isBesideDisc(b)) {
+      onSky_ += b.width * b.height;
+      return;
     }
-  return onSky > 0 ? sum / onSky : 0.0;
-}
+    const int width = b.width / 2, height = b.height / 2;
+    addBlock({b.left, b.top, width, height});
+    addBlock({b.left + width, b.top, b.width - width, height});
+    addBlock({b.left, b.top + height, width, b.height - height});
+    addBlock({b.left + width, b.top + height, b.width - width, b.height - height});
+  }
+
+  /// Whether all of a block is sky without the disc. No place in it is twice as far from its middle as its corners.
+  bool isBesideDisc(const Block& b) const {
+    const auto middle = at(b.left + 0.5 * b.width, b.top + 0.5 * b.height);
+    if (!middle) return false;
+    double reach = 0.0;
+    for (const int i : {b.left, b.left + b.width})
+      for (const int j : {b.top, b.top + b.height}) {
+        const auto corner = at(i, j);
+        if (!corner) return false;
+        reach = std::max(reach, angleBetween(*middle, *corner));
+      }
+    return angleBetween(*middle, sun_.toCentre()) > 0.5 * sun_.diameter() + 2.0 * reach;
+  }
+
+  void addSamples(const Block& b) {
+    for (int j = b.top; j < b.top + b.height; ++j)
+      for (int i = b.left; i < b.left + b.width; ++i) {
+        const auto toSky = at(i + 0.5, j + 0.5);
+        if (!toSky) continue;
+        ++onSky_;
+        sum_ += sun_.radiance(angleBetween(*toSky, sun_.toCentre()));
+      }
+  }
+
+  const Camera& camera_;
+  const Sun& sun_;
+  int x_, y_, samples_;
+  double sum_ = 0.0;
+  int onSky_ = 0;
+};
 
 void addToPixel(Image& image, int pixel, double radiance) {
   for (Channel& channel : image.channels)
@@ -53,7 +103,7 @@ void drawUndeviatedSun(Image& image, const Camera& camera, const Sun& sun, doubl
       if (angleBetween(*centre, sun.toCentre()) > reach) continue;
       const int samples = std::clamp(static_cast<int>(std::ceil(kSamplesAcrossDisc * side / sun.diameter())), 4,
                                      kMostSamplesAcrossPixel);
-      if (const double radiance = meanRadiance(camera, sun, x, y, samples); radiance > 0.0)
+      if (const double radiance = PixelMean(camera, sun, x, y, samples).value(); radiance > 0.0)
         addToPixel(image, y * camera.width() + x, share * radiance);
     }
 }

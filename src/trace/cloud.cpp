@@ -23,7 +23,8 @@ double goldenQuantile(std::uint64_t seed, std::uint64_t bundle) {
 std::vector<double> pilotInterceptions(const IncidenceTable& table, int population, int count) {
   std::vector<std::uint64_t> bundles(count + RayQueue::kSpare), rejected(RayQueue::kSpare);
   std::iota(bundles.begin(), bundles.end(), std::uint64_t{0});
-  RayQueue queue(count, 1);
+  RayQueue queue(1);
+  queue.makeRoom(count);
   IncidenceNumbers numbers{};
   for (int i = 0; i < count; i += IncidenceNumbers::kRoom) {
     Proposals proposals{&bundles[i], std::min(IncidenceNumbers::kRoom, count - i), rejected.data(), 0};

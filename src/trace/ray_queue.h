@@ -19,8 +19,14 @@ struct RayQueue {
   /// Every array has room for this many more entries than are in use, because lanes are always written as a whole.
   static constexpr int kSpare = 8;
 
-  RayQueue(int bundles, int bundleSize)
-      : room(static_cast<int>(std::bit_ceil(static_cast<unsigned>(bundles + kSpare)))), members(bundleSize) {
+  explicit RayQueue(int bundleSize) : members(bundleSize) { makeRoom(0); }
+
+  /// Makes room for so many bundles; false if there was room already. What the bundles share stays, what each ray has
+  /// for itself is lost. A queue is as large as its population's rays need, since a cloud may have thousands of them.
+  bool makeRoom(int bundles) {
+    const int needed = static_cast<int>(std::bit_ceil(static_cast<unsigned>(bundles + kSpare)));
+    if (needed <= room) return false;
+    room = needed;
     for (auto* row : {&bundle, &random0, &random1}) row->resize(room);
     for (Row* rows : {crystalX, crystalY, crystalZ, lightWorld, lightCrystal, point})
       for (int k = 0; k < 3; ++k) rows[k].resize(room);
@@ -29,13 +35,14 @@ struct RayQueue {
     for (Row* row : {&iceIndex, &inside[0], &inside[1], &inside[2], &energy, &internalPath, &lost, &cutOff})
       row->resize(rays);
     light.resize(rays);
+    return true;
   }
 
   int ray(int member, int place) const { return member * room + place; }
   int placeOf(int ray) const { return ray & (room - 1); }
   int memberOf(int ray) const { return ray / room; }
 
-  int room;       // a power of two
+  int room = 0;   // a power of two
   int members;    // rays per bundle
   int count = 0;  // bundles in the queue
 

@@ -32,7 +32,7 @@ RaySource::RaySource(const Cloud& cloud, const TraceSettings& settings, int room
   if (settings.sampler == Sampler::sobol)
     sobol_ = {SobolPoints(settings.seed), SobolPoints(settings.seed ^ kOtherHalf)};
   for (std::size_t p = 0; p < cloud.populations().size(); ++p) {
-    queues_.emplace_back(room, cloud.bundleSize());
+    queues_.emplace_back(cloud.bundleSize());
     if (cloud.hasFixedLight()) setLight(queues_.back());
   }
 }
@@ -84,7 +84,9 @@ void RaySource::propose(int population, int attempt) {
     proposals.bundle = &bundles[i];
     proposals.count = std::min(IncidenceNumbers::kRoom, count - i);
     fill(proposals.bundle, proposals.count, attempt);
-    steps_.propose(table, numbers_, proposals, queues_[population]);
+    RayQueue& queue = queues_[population];
+    if (queue.makeRoom(queue.count + proposals.count) && cloud_.hasFixedLight()) setLight(queue);
+    steps_.propose(table, numbers_, proposals, queue);
   }
   waiting_.resize(before + proposals.rejectedCount);
 }

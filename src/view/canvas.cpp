@@ -4,10 +4,13 @@
 #include <cairo.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <cstring>
 #include <new>
 #include <stdexcept>
 #include <string>
+
+#include "picture/memory_limit.h"
 
 namespace parhelion {
 namespace {
@@ -70,6 +73,15 @@ std::string writable(std::string_view text) {
   return result;
 }
 
+/// cairo remembers its first error and draws nothing more.
+void requireHealthy(cairo_t* context, cairo_surface_t* surface) {
+  for (const cairo_status_t status : {cairo_surface_status(surface), cairo_status(context)}) {
+    if (status == CAIRO_STATUS_NO_MEMORY) throw std::bad_alloc();
+    if (status != CAIRO_STATUS_SUCCESS)
+      throw std::runtime_error(std::string("drawing lines: ") + cairo_status_to_string(status));
+  }
+}
+
 /// Straight from premultiplied, rounded.
 std::uint8_t straight(std::uint32_t component, std::uint32_t alpha) {
   return alpha == 0 ? 0 : static_cast<std::uint8_t>(std::min(255u, (component * 255 + alpha / 2) / alpha));
@@ -83,9 +95,12 @@ void Canvas::Release::operator()(_cairo_surface* surface) const { cairo_surface_
 Canvas::Canvas(int width, int height) {
   if (width < 1 || height < 1 || width > kMaxCairoSide || height > kMaxCairoSide)
     throw std::invalid_argument("a drawing has from 1 to 32767 pixels a side");
+  // Where memory ends while cairo 1.16 draws, it jumps to nowhere: so it is asked for before.
+  constexpr std::uint64_t kPixel = 8, kForLines = 48'000'000;  // bytes; what all lines and letters of a picture take
+  requireMemory("drawing lines", kForLines + kPixel * static_cast<unsigned>(width) * static_cast<unsigned>(height));
   surface_.reset(cairo_image_surface_create(CAIRO_FORMAT_ARGB32, width, height));
   context_.reset(cairo_create(surface_.get()));
-  if (cairo_status(context_.get()) != CAIRO_STATUS_SUCCESS) throw std::bad_alloc();
+  requireHealthy(context_.get(), surface_.get());
   cairo_set_line_join(context_.get(), CAIRO_LINE_JOIN_ROUND);
   setFont(context_.get());
 }
@@ -143,6 +158,7 @@ void Canvas::text(std::string_view text, const Vec2& place, double size, const C
 LineArt Canvas::lineArt() const {
   cairo_surface_t* surface = surface_.get();
   cairo_surface_flush(surface);
+  requireHealthy(context_.get(), surface);
   LineArt lines{cairo_image_surface_get_width(surface), cairo_image_surface_get_height(surface), {}};
   lines.rgba.reserve(4 * static_cast<std::size_t>(lines.width) * static_cast<std::size_t>(lines.height));
   const unsigned char* data = cairo_image_surface_get_data(surface);

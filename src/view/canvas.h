@@ -42,7 +42,8 @@ using PixelLine = std::vector<Vec2>;
 /// Camera. The same calls give the same bits.
 class Canvas {
  public:
-  /// Throws std::invalid_argument for less than 1 or more than 32767 pixels a side.
+  /// Throws std::invalid_argument for less than 1 or more than 32767 pixels a side, std::runtime_error where there is
+  /// too little memory to draw.
   Canvas(int width, int height);
 
   /// Fills a rectangle.

@@ -76,7 +76,7 @@ TEST_CASE("a tally reconstructed from disk is the picture that render makes at o
   CHECK(run(folder, "parhelion recon t.exr").exit == 0);
   CHECK(std::filesystem::exists(folder / "t-sky.png"));
   CHECK(run(folder, "parhelion recon t.exr -o t.exr").exit == 2);
-  CHECK(run(folder, "parhelion recon a.exr -o c.exr").exit == 1);
+  CHECK(run(folder, "parhelion recon a.exr -o c.exr").exit == 2);
   CHECK(readFile(folder / "t.exr") == before);
 }
 
@@ -110,7 +110,7 @@ TEST_CASE("trace writes a tally that info understands") {
   CHECK(run(folder, "parhelion trace s.toml -o t.exr").exit == 0);
   const Outcome info = run(folder, "parhelion info t.exr");
   CHECK(info.exit == 0);
-  CHECK(info.out.find("parhelion:rays") != std::string::npos);
+  CHECK(info.out.find("rays: ") != std::string::npos);
 }
 
 TEST_CASE("profile prints the agreed columns and summary, and its bins add up to 1") {

@@ -159,7 +159,9 @@ TEST_CASE("the least and the greatest numbers that options take end no command b
       {"map", "s.toml --time 0.05 --rays 2k --quiet -o m.csv"},
       {"sweep", "s.toml sun.elevation=5 --time 0.5 --rays 1k --quiet -o f%d.exr --contact-sheet sheet.png"},
       {"recon", "hits.exr --quiet"},
+      {"merge", "hits.exr --quiet -o m.exr"},
       {"info", "s.toml"},
+      {"check", "s.toml"},
       {"replay", "s.toml"},
       {"view", "s.exr -o v.png"},
       {"composite", "photo.png --scene s.toml --rays 1k --quiet -o c.png --all-sky"}};

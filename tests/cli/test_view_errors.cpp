@@ -94,7 +94,7 @@ TEST_CASE("pictures that cannot be read or do not fit are one clear line") {
   } cases[] = {
       {"none.png -o v.png", 1, "none.png"},
       {"none.exr -o v.png", 1, "none.exr"},
-      {"text.png -o v.png", 1, "text.png"},
+      {"text.png -o v.png", 2, "text.png"},
       {"map.exr -o v.png", 1, "R, G, B"},
       {"s.exr --minus small.exr -o v.png", 2, "different sizes"},
       {"s.exr --minus high.exr -o v.png", 2, "differ in sun.elevation (20 and 23), the camera's field of view"},

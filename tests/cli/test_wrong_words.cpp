@@ -53,18 +53,18 @@ TEST_CASE("a file given to the wrong command is called what it is, with the comm
             {"sweep photo.jpg sun.elevation=1,2 -o f%d.exr", 2, {"is a JPEG picture, not a scene"}},
             {"check s.toml photo.jpg binary", 2, {"photo.jpg: error: is a JPEG", "binary: error: is a binary"}},
             {"info raw", 2, {"is a camera's raw file"}},
-            {"recon s.toml", 1, {"is a text file, not a tally", "parhelion trace"}},
-            {"recon photo.jpg", 1, {"is a JPEG picture, not a tally"}},
-            {"recon s.exr", 1, {"is an EXR picture that parhelion has made, not a tally"}},
-            {"recon hits.exr --compare s.exr", 1, {"s.exr: is an EXR picture that parhelion has made, not a tally"}},
-            {"view s.toml -o v.png", 1, {"is a text file, not a picture", "parhelion render"}},
-            {"view raw -o v.png", 1, {"is a camera's raw file", "convert it to JPEG, PNG or EXR"}},
-            {"view s.exr --beside s.toml -o v.png", 1, {"s.toml: is a text file, not a picture"}},
-            {"composite s.toml --scene s.toml -o v.png", 1, {"is a text file, not a photograph"}},
-            {"composite hits.exr --scene s.toml -o v.png", 1, {"is a tally, not a photograph"}},
+            {"recon s.toml", 2, {"is a text file, not a tally", "parhelion trace"}},
+            {"recon photo.jpg", 2, {"is a JPEG picture, not a tally"}},
+            {"recon s.exr", 2, {"is an EXR picture that parhelion has made, not a tally"}},
+            {"recon hits.exr --compare s.exr", 2, {"s.exr: is an EXR picture that parhelion has made, not a tally"}},
+            {"view s.toml -o v.png", 2, {"is a text file, not a picture", "parhelion render"}},
+            {"view raw -o v.png", 2, {"is a camera's raw file", "convert it to JPEG, PNG or EXR"}},
+            {"view s.exr --beside s.toml -o v.png", 2, {"s.toml: is a text file, not a picture"}},
+            {"composite s.toml --scene s.toml -o v.png", 2, {"is a text file, not a photograph"}},
+            {"composite hits.exr --scene s.toml -o v.png", 2, {"is a tally, not a photograph"}},
             {"composite s.png --scene photo.jpg -o v.png", 2, {"photo.jpg: error: is a JPEG picture, not a scene"}},
-            {"composite s.png --halo s.toml -o v.png", 1, {"s.toml: is a text file, not a sky"}},
-            {"composite s.png --halo hits.exr -o v.png", 1, {"hits.exr: is a tally, not a sky"}}});
+            {"composite s.png --halo s.toml -o v.png", 2, {"s.toml: is a text file, not a sky"}},
+            {"composite s.png --halo hits.exr -o v.png", 2, {"hits.exr: is a tally, not a sky"}}});
 }
 
 TEST_CASE("info of a photograph tells its size, lens, field of view and date, of our pictures what made them") {
