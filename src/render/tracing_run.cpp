@@ -66,10 +66,10 @@ RunReport Run::trace(const RayRanges& missing) {
   if (!isAtErrorCheck() || !isGoodEnough())
     for (const RayRange& range : missing)
       if (!traceRange(range)) break;
+  report_.seconds = seconds();  // of tracing: the result takes as long for one ray as for many
   makeResult();
   if (control_.goal.error > 0.0 && report_.end != RunEnd::stopped) isGoodEnough();
   static_cast<TraceCounts&>(report_) = tracer_.counts();
-  report_.seconds = seconds();
   report_.interrupted = report_.end == RunEnd::stopped || report_.end == RunEnd::timeOver;
   return report_;
 }
