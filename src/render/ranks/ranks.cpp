@@ -145,9 +145,4 @@ void Ranks::requireNoOverflow() {
   if (inAny(overflowed.exchange(false))) rejectLight();
 }
 
-void Ranks::abort(int exit) {
-  MPI_Abort(MPI_COMM_WORLD, exit);
-  std::abort();
-}
-
 }  // namespace parhelion

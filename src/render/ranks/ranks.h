@@ -63,9 +63,6 @@ class Ranks : public SumVisitor {
   /// Bytes of integers that each rank but the first has given away to be added.
   std::uint64_t bytesReduced() const { return bytesReduced_; }
 
-  /// Ends all ranks at once.
-  [[noreturn]] static void abort(int exit);
-
  private:
   int rank_ = 0, count_ = 1, onThisMachine_ = 1;
   std::uint64_t bytesReduced_ = 0;
