@@ -13,6 +13,7 @@ Population::Population(const PopulationSettings& settings)
       weight_(settings.weight),
       mirrorSymmetric_(parhelion::isMirrorSymmetric(settings)),
       fullyRandom_(parhelion::isFullyRandom(settings)),
+      orientationSettings_(settings.orientation),
       orientation_(settings.orientation) {
   if (!(weight_ >= 0.0)) throw std::invalid_argument("a population's weight must not be negative");
   mesh_ = std::visit([](const auto& shape) { return std::make_shared<CrystalMesh>(meshOf(shape)); }, settings.shape);

@@ -25,8 +25,9 @@ class Population {
   /// What the mesh is stretched by along c, spread over shares of surface; none when all crystals are alike.
   const AngleQuantile* stretch() const { return aspect_ ? &aspect_->quantile() : nullptr; }
 
-  /// How the crystals stand.
-  const OrientationQuantile& orientation() const { return orientation_.quantile(); }
+  /// How the crystals stand, and the same for lanes.
+  const OrientationSettings& orientation() const { return orientationSettings_; }
+  const OrientationQuantile& orientationQuantile() const { return orientation_.quantile(); }
 
  private:
   std::string name_;
@@ -34,6 +35,7 @@ class Population {
   bool mirrorSymmetric_, fullyRandom_;       // crystal/symmetry.h
   std::shared_ptr<const CrystalMesh> mesh_;  // at its only aspect ratio, or at aspect 1 to be stretched
   std::optional<ValueSampler> aspect_;       // when it is spread
+  OrientationSettings orientationSettings_;
   OrientationSampler orientation_;
 };
 

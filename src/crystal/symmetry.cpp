@@ -44,7 +44,56 @@ bool isMirrorSymmetric(const LowitzOrientation& lowitz, bool endsAlike) {
   return isEvenAboutHorizon(lowitz.axisZenith) || isEven(lowitz.spin, 0.0, spinPeriod);
 }
 
+bool keeps(const RandomOrientation&, const Isometry&) { return true; }
+
+/// Unchanged by angle -> angle + shift.
+bool isUnchangedBy(const AngleDistribution& distribution, double shift) {
+  return std::abs(std::remainder(shift, kTurn)) < kAngleSlack || isFree(distribution, kTurn);
+}
+
+bool keeps(const AxisOrientation& axis, const Isometry& isometry) {
+  // With k sixths of a turn, F = diag(1, 1, -1), and the images for improper ones reflected by M:
+  //   R(z, a, r) Rz(k)      = R(z, a, r + k)
+  //   M R(z, a, r) Rz(k) M  = R(z, -a, -r - k)
+  //   R(z, a, r) Rz(k) F M  = R(pi - z, a + pi, -r - k)
+  //   M R(z, a, r) Rz(k) F  = R(pi - z, -a - pi, r + k)
+  // Each also stands for (-z, a + pi, r + pi), the same rotation.
+  const double turn = isometry.sixths * kPi / 3.0;
+  const bool azimuthTurns = isometry.isProper(), rollTurns = !isometry.flipsY;
+  for (const bool otherSide : {false, true}) {
+    const double half = otherSide ? kPi : 0.0, azimuthShift = (isometry.flipsZ ? kPi : 0.0) + half;
+    const bool zenith = isometry.flipsZ ? !otherSide && isEvenAboutHorizon(axis.zenith)
+                                        : !otherSide || isEven(axis.zenith, 0.0, kTurn);
+    const bool azimuth = azimuthTurns ? isUnchangedBy(axis.azimuth, azimuthShift)
+                                      : isEven(axis.azimuth, -0.5 * azimuthShift, kTurn);
+    const bool roll = rollTurns ? isUnchangedBy(axis.roll, turn + half)
+                                : isEven(axis.roll, -0.5 * (turn + half), kTurn);
+    if (zenith && azimuth && roll) return true;
+  }
+  return false;
+}
+
+bool keeps(const LowitzOrientation& lowitz, const Isometry& isometry) {
+  // Only those that leave the line of crystal +y alone come into question. With t the tilt of +y, s the spin, any
+  // azimuth, and M as above:
+  //   R(t, s) Ry(pi) = R(t, s + pi)          R(t, s) Rz(pi) = R(-t, -s)        R(t, s) Rx(pi) = R(-t, -s - pi)
+  //   M R(t, s) M    = R(-t, s)              M R(t, s) diag(-1, 1, 1) = R(t, -s)
+  //   M R(t, s) diag(1, 1, -1) = R(t, -s - pi)          M R(t, s) diag(-1, -1, -1) = R(-t, s + pi)
+  if (isometry.sixths % 3 != 0) return false;
+  const Vec3 image = isometry(Vec3(1.0, 1.0, 1.0));
+  const bool flipsX = image.x < 0.0, flipsY = image.y < 0.0, flipsZ = image.z < 0.0;
+  const double shift = flipsZ ? kPi : 0.0;
+  const bool tilt = !flipsY || isEvenAboutHorizon(lowitz.axisZenith);
+  const bool spin =
+      flipsX == flipsZ ? isUnchangedBy(lowitz.spin, shift) : isEven(lowitz.spin, -0.5 * shift, kTurn);
+  return tilt && spin;
+}
+
 }  // namespace
+
+bool keepsOrientations(const OrientationSettings& orientation, const Isometry& isometry) {
+  return std::visit([&](const auto& own) { return keeps(own, isometry); }, orientation);
+}
 
 bool isMirrorSymmetric(const PopulationSettings& population) {
   const bool endsAlike = std::visit([](const auto& shape) { return hasEndsAlike(shape); }, population.shape);

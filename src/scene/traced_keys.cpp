@@ -64,8 +64,8 @@ class KeyLister {
 
   void population(std::size_t number, const PopulationSettings& settings) {
     const auto& [name, weight, shape, orientation] = settings;
-    static_cast<void>(name);  // no ray knows it
     prefix_ = "population." + std::to_string(number) + ".";
+    if (namesMatter) put("name", name);  // no ray knows it, but patterns of paths may
     put("weight", digitsOf(weight));
     put("shape", std::string(nameOf(shape)));
     std::visit([this](const auto& own) { crystal(own); }, shape);
@@ -74,22 +74,39 @@ class KeyLister {
   }
 
   void trace(const TraceSettings& settings) {
-    const auto& [rays, seed, engine, path, sampler, symmetry] = settings;
+    const auto& [rays, seed, engine, path, sampler, symmetry, paths] = settings;
     static_cast<void>(rays);      // how many there are changes none of them
     static_cast<void>(seed);      // told apart from the scene
     static_cast<void>(symmetry);  // of tallies alone
     put("trace.engine", std::string(nameOf(engine)));
     put("trace.path", std::string(nameOf(path)));
     put("trace.sampler", std::string(nameOf(sampler)));
+    if (paths.filter) put("trace.filter", paths.filter->text);
   }
 
-  void tally(const Scene& scene, Symmetry symmetry) {
-    put("trace.symmetry", std::string(nameOf(symmetry)));
+  void layers(const PathSettings& settings) {
+    const auto& [filter, layers] = settings;
+    static_cast<void>(filter);  // of all that is traced
+    for (std::size_t i = 0; i < layers.size(); ++i) {
+      const auto& [name, paths, populations, tilt] = layers[i];
+      prefix_ = "layer." + std::to_string(i) + ".";
+      put("name", name);
+      if (paths) put("paths", paths->text);
+      for (const std::string& one : populations) put("population", one);
+      if (tilt) put("tilt", digitsOf(tilt->from) + " " + digitsOf(tilt->to));
+    }
+    prefix_.clear();
+  }
+
+  void tally(const Scene& scene, const TraceSettings& trace) {
+    put("trace.symmetry", std::string(nameOf(trace.symmetry)));
+    layers(trace.paths);
     for (const auto& [attribute, value] : textFromCamera(scene.camera)) put(attribute, value);
     put("camera.resolution", std::to_string(scene.camera.width) + " " + std::to_string(scene.camera.height));
   }
 
   std::vector<TracedKey> keys;
+  bool namesMatter = false;
 
  private:
   void put(const std::string& key, std::string value) { keys.push_back({prefix_ + key, std::move(value)}); }
@@ -132,6 +149,7 @@ class KeyLister {
 
 KeyLister listed(const Scene& scene, const TraceSettings& trace) {
   KeyLister lister;
+  lister.namesMatter = trace.paths.filter || !trace.paths.layers.empty();
   lister.sun(scene.sun);
   lister.ice(scene.ice);
   for (std::size_t i = 0; i < scene.populations.size(); ++i) lister.population(i, scene.populations[i]);
@@ -145,7 +163,7 @@ std::vector<TracedKey> tracedKeys(const Scene& scene, const TraceSettings& trace
 
 std::vector<TracedKey> talliedKeys(const Scene& scene, const TraceSettings& trace) {
   KeyLister lister = listed(scene, trace);
-  lister.tally(scene, trace.symmetry);
+  lister.tally(scene, trace);
   return lister.keys;
 }
 

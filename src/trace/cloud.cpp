@@ -74,7 +74,7 @@ IncidenceTable Cloud::incidence(int population, Sampler sampler) const {
   const Vec3& toSun = sun_.toCentre();
   const Pilot& pilot = pilot_[static_cast<int>(sampler)];
   const double bound = pilot.bound.empty() ? 1.0 : pilot.bound[population];
-  return {populations_[population].orientation(),
+  return {populations_[population].orientationQuantile(),
           populations_[population].stretch(),
           &faces_[population],
           {toSun.x, toSun.y, toSun.z},

@@ -6,6 +6,7 @@ namespace parhelion {
 void EnergyLedger::merge(const EnergyLedger& other) {
   in.merge(other.in);
   out.merge(other.out);
+  filtered.merge(other.filtered);
   absorbed.merge(other.absorbed);
   cutOff.merge(other.cutOff);
   lost.merge(other.lost);
@@ -13,7 +14,7 @@ void EnergyLedger::merge(const EnergyLedger& other) {
 
 double EnergyLedger::imbalance() const {
   const double all = in.value();
-  return all > 0.0 ? (all - out.value() - absorbed.value() - cutOff.value() - lost.value()) / all : 0.0;
+  return all > 0.0 ? (all - out.value() - filtered.value() - absorbed.value() - cutOff.value() - lost.value()) / all : 0.0;
 }
 
 }  // namespace parhelion

@@ -5,9 +5,10 @@
 
 namespace parhelion {
 
-/// Where the light of a run went, in units of one ray's light. in = out + absorbed + cutOff + lost, to rounding.
+/// Where the light of a run went, in units of one ray's light. in = out + filtered + absorbed + cutOff + lost, to
+/// rounding. Light is `filtered` that left its crystal by a path that the run does not keep.
 struct EnergyLedger {
-  ExactSum in, out, absorbed, cutOff, lost;
+  ExactSum in, out, filtered, absorbed, cutOff, lost;
 
   void merge(const EnergyLedger& other);
 

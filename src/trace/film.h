@@ -20,6 +20,9 @@ class Film {
   /// also counts as its mirror image may find two.
   virtual int add(const TracedRays& traced) = 0;
 
+  /// Whether it reads the faces that light has met (ExitList::pathFirst and pathLast).
+  virtual bool wantsSequences() const { return false; }
+
   /// Makes an empty film of the same kind for one thread. It is given to merge() in the end, and at any time before.
   virtual std::unique_ptr<Film> forThread() = 0;
 

@@ -14,10 +14,13 @@ extern const LaneSteps PARHELION_LANE_STEPS(PARHELION_LANES);
 const LaneSteps PARHELION_LANE_STEPS(PARHELION_LANES) = {.lanes = kLanes,
                                                          .draw = draw,
                                                          .propose = propose,
-                                                         .enter = enter,
+                                                         .enter = {enter<PathRecord::nothing>, enter<PathRecord::state>,
+                                                                   enter<PathRecord::sequence>},
                                                          .findFaces = findFaces,
                                                          .measureFaces = measureFaces,
-                                                         .meetFaces = meetFaces,
+                                                         .meetFaces = {meetFaces<PathRecord::nothing>,
+                                                                       meetFaces<PathRecord::state>,
+                                                                       meetFaces<PathRecord::sequence>},
                                                          .turnToWorld = turnToWorld,
                                                          .see = see};
 

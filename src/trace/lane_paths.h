@@ -31,9 +31,50 @@ class UnitSum {
   Mask sum_{};
 };
 
+/// What is kept of the faces that rays have met, in each lane; `kRecord` says which of it.
+template <PathRecord kRecord>
+struct PathMet {
+  Real state{};
+  Words first{}, last{};
+
+  PARHELION_INLINE void load(const RayPool& pool, int i) {
+    state = parhelion::load<Real>(&pool.pathState[i]);
+    if constexpr (kRecord != PathRecord::sequence) return;
+    first = parhelion::load<Words>(&pool.pathFirst[i]);
+    last = parhelion::load<Words>(&pool.pathLast[i]);
+  }
+  PARHELION_INLINE void store(RayPool& pool, int i) const {
+    parhelion::store(&pool.pathState[i], state);
+    if constexpr (kRecord != PathRecord::sequence) return;
+    parhelion::store(&pool.pathFirst[i], first);
+    parhelion::store(&pool.pathLast[i], last);
+  }
+
+  /// One face more, the one at `place` of the path.
+  PARHELION_INLINE void add(const PathTable& paths, const Real& face, const Real& place) {
+    if constexpr (kRecord == PathRecord::nothing) return;
+    state = lookUp(paths.next, state * paths.faces + face);
+    if constexpr (kRecord == PathRecord::sequence) {
+      const Words code = wordsOf(face);
+      const Words shifted = code << wordsOf(place * static_cast<double>(paths.bits));
+      const Mask hasRoom = place < static_cast<double>(paths.room);
+      first |= bitsAs<Words>(select(hasRoom, bitsAs<Real>(shifted), Real{}));
+      last = last << paths.bits | code;
+    }
+  }
+
+ private:
+  /// Whole numbers from 0 to 2^51 as integers.
+  PARHELION_INLINE static Words wordsOf(const Real& whole) {
+    constexpr std::uint64_t kDigits = (std::uint64_t{1} << 52) - 1;
+    return bitsAs<Words>(whole + 0x1p52) & kDigits;
+  }
+};
+
 /// Puts the lanes of light that leaves on the list.
+template <PathRecord kRecord>
 PARHELION_INLINE void leave(const Triple<Real>& direction, const Real& energy, const Real& ray, const Real& order,
-                            ExitList& exits) {
+                            const PathMet<kRecord>& path, ExitList& exits) {
   const Compress<Real> leaving(energy > 0.0);
   leaving.store(&exits.lightDirCrystal[0][exits.count], direction.x);
   leaving.store(&exits.lightDirCrystal[1][exits.count], direction.y);
@@ -41,10 +82,16 @@ PARHELION_INLINE void leave(const Triple<Real>& direction, const Real& energy, c
   leaving.store(&exits.energy[exits.count], energy);
   leaving.store(&exits.ray[exits.count], ray);
   leaving.store(&exits.order[exits.count], order);
+  if constexpr (kRecord != PathRecord::nothing) leaving.store(&exits.pathState[exits.count], path.state);
+  if constexpr (kRecord == PathRecord::sequence) {
+    leaving.store(&exits.pathFirst[exits.count], bitsAs<Real>(path.first));
+    leaving.store(&exits.pathLast[exits.count], bitsAs<Real>(path.last));
+  }
   exits.count += leaving.count();
 }
 
-void enter(const FaceTable& faces, std::uint64_t seed, PathRule rule, int member, RayQueue& queue, ExitList& exits,
+template <PathRecord kRecord>
+void enter(const FaceTable& faces, const PathTable& paths, std::uint64_t seed, PathRule rule, int member, RayQueue& queue, ExitList& exits,
            EnergyUnits& energy) {
   UnitSum out(energy.perLight);
   for (int i = 0; i < queue.count; i += kLanes) {
@@ -64,7 +111,9 @@ void enter(const FaceTable& faces, std::uint64_t seed, PathRule rule, int member
     store(&queue.random1[i], random.state1);
     const Real reflected = select(real, b.reflected, Real{});
     out.add(reflected);
-    leave(b.reflectedDir, reflected, counting() + static_cast<double>(ray), Real{}, exits);
+    PathMet<kRecord> path;
+    path.add(paths, face, Real{});
+    leave(b.reflectedDir, reflected, counting() + static_cast<double>(ray), Real{}, path, exits);
   }
   energy.out += out.total();
 }
@@ -94,7 +143,9 @@ void measureFaces(const FaceTable& faces, RayPool& pool) {
 }
 
 /// One encounter of the rays from place i on; returns those whose path ends here.
-PARHELION_INLINE Mask meetFace(const FaceTable& faces, int i, RayPool& pool, ExitList& exits, UnitSum& out) {
+template <PathRecord kRecord>
+PARHELION_INLINE Mask meetFace(const FaceTable& faces, const PathTable& paths, int i, RayPool& pool, ExitList& exits,
+                               UnitSum& out) {
   const Triple<Real> light = loadTriple(pool.lightDir, i);
   const Real face = higher(load<Real>(&pool.nextFace[i]), Real{}), cosine = load<Real>(&pool.cosine[i]);
   const Real distance = load<Real>(&pool.distance[i]), energy = load<Real>(&pool.energy[i]);
@@ -112,8 +163,15 @@ PARHELION_INLINE Mask meetFace(const FaceTable& faces, int i, RayPool& pool, Exi
   store(&pool.random0[i], random.state0);
   store(&pool.random1[i], random.state1);
 
+  PathMet<kRecord> path;
+  if constexpr (kRecord != PathRecord::nothing) {
+    path.load(pool, i);
+    path.add(paths, face, order);
+    path.store(pool, i);
+  }
+
   out.add(b.transmitted);
-  leave(b.transmittedDir, b.transmitted, load<Real>(&pool.ray[i]), order, exits);
+  leave(b.transmittedDir, b.transmitted, load<Real>(&pool.ray[i]), order, path, exits);
   storeTriple(pool.lightDir, i, renormalised(b.reflectedDir));
   store(&pool.energy[i], b.reflected);
   return (b.reflected <= 0.0) | (order >= static_cast<double>(kMostEncounters));
@@ -131,12 +189,13 @@ PARHELION_INLINE void loseLight(int i, RayPool& pool, UnitSum& lost, EnergyUnits
   energy.lostPaths += __builtin_popcount(bitsOf(none));
 }
 
-void meetFaces(const FaceTable& faces, RayPool& pool, ExitList& exits, EnergyUnits& energy) {
+template <PathRecord kRecord>
+void meetFaces(const FaceTable& faces, const PathTable& paths, RayPool& pool, ExitList& exits, EnergyUnits& energy) {
   UnitSum out(energy.perLight), lost(energy.perLight);
   pool.endedCount = 0;
   for (int i = 0; i < pool.active; i += kLanes) {
     loseLight(i, pool, lost, energy);
-    const Compress<Real> ended(meetFace(faces, i, pool, exits, out) & below(i, pool.active));
+    const Compress<Real> ended(meetFace<kRecord>(faces, paths, i, pool, exits, out) & below(i, pool.active));
     ended.store(&pool.ended[pool.endedCount], counting() + static_cast<double>(i));
     pool.endedCount += ended.count();
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "sky/camera.h"
 #include "trace/exit_list.h"
 #include "trace/incidence.h"
+#include "trace/path_record.h"
 #include "trace/path_rule.h"
 #include "trace/ray_pool.h"
 #include "trace/ray_queue.h"
@@ -55,9 +57,10 @@ struct LaneSteps {
 
   // How it gets through them: lane_paths.h.
 
-  /// The outside of the entry faces for all rays of a member of the bundles.
-  void (*enter)(const FaceTable& faces, std::uint64_t seed, PathRule rule, int member, RayQueue& queue, ExitList& exits,
-                EnergyUnits& energy);
+  /// The outside of the entry faces for all rays of a member of the bundles; by PathRecord.
+  using Enter = void (*)(const FaceTable& faces, const PathTable& paths, std::uint64_t seed, PathRule rule, int member,
+                         RayQueue& queue, ExitList& exits, EnergyUnits& energy);
+  std::array<Enter, kPathRecords> enter;
 
   /// The next face of each ray in the pool, by planes.
   void (*findFaces)(const SlabTable& slabs, RayPool& pool);
@@ -65,8 +68,10 @@ struct LaneSteps {
   /// How far it is to the faces that are named as next; takes the name back where the ray does not run toward its face.
   void (*measureFaces)(const FaceTable& faces, RayPool& pool);
 
-  /// What the faces found make of the light.
-  void (*meetFaces)(const FaceTable& faces, RayPool& pool, ExitList& exits, EnergyUnits& energy);
+  /// What the faces found make of the light; by PathRecord.
+  using MeetFaces = void (*)(const FaceTable& faces, const PathTable& paths, RayPool& pool, ExitList& exits,
+                             EnergyUnits& energy);
+  std::array<MeetFaces, kPathRecords> meetFaces;
 
   // What becomes of the light that leaves: lane_exits.h.
 

@@ -24,6 +24,8 @@ struct RayPool {
   alignas(64) Numbers face;         // on which the ray starts
   alignas(64) Numbers order;        // internal encounters so far
   alignas(64) Numbers internalPath;
+  alignas(64) Numbers pathState;                           // where PathRecord asks for it
+  alignas(64) Row<std::uint64_t> pathFirst, pathLast;      // PathCode, likewise
   alignas(64) Row<std::uint64_t> random0, random1;  // state of PathRandom
 
   // Constant while the ray is in the pool.
@@ -46,8 +48,13 @@ struct RayPool {
     for (Numbers* row :
          {&energy, &face, &order, &internalPath, &ray, &stretch, &iceIndex, &perIceIndex, &splitAbove, &lost})
       (*row)[to] = (*row)[from];
-    random0[to] = random0[from];
-    random1[to] = random1[from];
+    for (Row<std::uint64_t>* row : {&random0, &random1}) (*row)[to] = (*row)[from];
+  }
+
+  /// Moves what is kept of its path, too.
+  void movePath(int from, int to) {
+    pathState[to] = pathState[from];
+    for (Row<std::uint64_t>* row : {&pathFirst, &pathLast}) (*row)[to] = (*row)[from];
   }
 };
 

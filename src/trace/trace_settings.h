@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <string_view>
 
+#include "trace/path_settings.h"
+
 namespace parhelion {
 
 /// What finds the next face of a crystal: Embree, or the planes of a convex crystal's faces. `automatic` takes the
@@ -94,6 +96,7 @@ struct TraceSettings {
   PathMode path = PathMode::split;
   Sampler sampler = Sampler::random;
   Symmetry symmetry = Symmetry::automatic;
+  PathSettings paths = {};
 };
 
 /// The most rays of a run. Whether its sums will hold their light depends on how the light is spread; a run finds out

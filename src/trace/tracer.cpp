@@ -42,9 +42,10 @@ Tracer::Tracer(const Cloud& cloud, const TraceSettings& settings, Film& film, in
       film_(film),
       steps_(laneSteps(simd)),
       engines_(makeIntersectors(cloud, settings.engine)),
+      paths_(cloud, settings.paths, film.wantsSequences()),
       workers_(
           new Workers{Threads(threads), tbb::enumerable_thread_specific<Worker>([this, settings] {
-                        return Worker{film_.forThread(), std::make_unique<Wave>(cloud_, engines_, settings, steps_)};
+                        return Worker{film_.forThread(), std::make_unique<Wave>(cloud_, engines_, paths_, settings, steps_)};
                       })}),
       batch_(kFirstBatch) {}
 

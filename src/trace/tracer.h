@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "trace/path_plan.h"
 #include "trace/ray_tracer.h"
 
 namespace parhelion {
@@ -34,6 +35,7 @@ class Tracer : public RayTracer {
   Film& film_;
   const LaneSteps& steps_;
   Intersectors engines_;
+  PathPlan paths_;
   std::unique_ptr<Workers> workers_;
   double batch_;  // bundles that take about a tenth of a second
   TraceCounts counts_;

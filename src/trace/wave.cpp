@@ -2,6 +2,7 @@
 #include "trace/wave.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace parhelion {
@@ -40,14 +41,17 @@ int Wave::bundles(const Cloud& cloud) {
   return std::max(32, kRays / cloud.bundleSize()) - RayQueue::kSpare;
 }
 
-Wave::Wave(const Cloud& cloud, const Intersectors& engines, const TraceSettings& settings, const LaneSteps& steps)
+Wave::Wave(const Cloud& cloud, const Intersectors& engines, const PathPlan& paths, const TraceSettings& settings,
+           const LaneSteps& steps)
     : cloud_(cloud),
       engines_(engines),
+      paths_(paths),
       steps_(steps),
       seed_(settings.seed),
       rule_(pathRule(settings.path)),
       source_(cloud, settings, bundles(cloud), steps),
       pool_(emptyPool()) {
+  exits_.record = paths.record();
   for (int p = 0; p < static_cast<int>(cloud.populations().size()); ++p)
     perLight_.push_back(unitsPerLight(cloud.incidence(p, settings.sampler).highestWeight()));
 }
@@ -64,25 +68,32 @@ void Wave::trace(std::uint64_t first, int count, int members, Film& tally) {
 
 void Wave::follow(RayQueue& queue, int population, int members) {
   const FaceTable& faces = cloud_.faces(population);
+  const PathTable& paths = paths_.table(population);
+  const auto enter = steps_.enter[static_cast<std::size_t>(paths_.record())];
+  const auto meetFaces = steps_.meetFaces[static_cast<std::size_t>(paths_.record())];
   exits_.count = 0;
+  // Places not taken are worked on, too, and another population's automaton may have more states.
+  pool_->pathState.fill(PathAutomaton::kStart);
   energy_ = {.perLight = perLight_[population]};
   for (int member = 0; member < members; ++member) {
     exits_.reserve(queue.count + RayQueue::kSpare);
-    steps_.enter(faces, seed_, rule_, member, queue, exits_, energy_);
+    enter(faces, paths, seed_, rule_, member, queue, exits_, energy_);
   }
   counts_.hits += static_cast<std::uint64_t>(members) * queue.count;
 
   nextMember_ = nextPlace_ = 0;
-  while (pool_->active < RayPool::kRoom && putNext(queue, members, pool_->active)) ++pool_->active;
+  while (pool_->active < RayPool::kRoom && putNext(queue, population, members, pool_->active)) ++pool_->active;
   while (pool_->active > 0) {
     exits_.reserve(RayPool::kRoom + RayQueue::kSpare);
     findFaces(population);
-    steps_.meetFaces(faces, *pool_, exits_, energy_);
+    meetFaces(faces, paths, *pool_, exits_, energy_);
     counts_.hits += pool_->active;
-    refill(queue, members);
+    refill(queue, population, members);
   }
-  steps_.turnToWorld(queue, exits_);
   count(queue, members);
+  if (paths_.hasFilter()) filter(population);
+  steps_.turnToWorld(queue, exits_);
+  if (paths_.layers() > 0) sortByLayer(queue, population);
 }
 
 void Wave::findFaces(int population) {
@@ -92,7 +103,7 @@ void Wave::findFaces(int population) {
 }
 
 /// Puts the queue's next ray that has light inside its crystal at a place of the pool; false when there is none.
-bool Wave::putNext(RayQueue& queue, int members, int place) {
+bool Wave::putNext(RayQueue& queue, int population, int members, int place) {
   for (; nextMember_ < members; ++nextMember_, nextPlace_ = 0)
     while (nextPlace_ < queue.count) {
       const int from = nextPlace_++, ray = queue.ray(nextMember_, from);
@@ -113,21 +124,32 @@ bool Wave::putNext(RayQueue& queue, int members, int place) {
       pool.iceIndex[place] = queue.iceIndex[ray];
       pool.perIceIndex[place] = 1.0 / queue.iceIndex[ray];
       pool.splitAbove[place] = queue.weight[from] * rule_.splitShare;
+      if (paths_.record() != PathRecord::nothing) beginPath(population, place);
       return true;
     }
   return false;
 }
 
+/// The ray at a place of the pool has met the face of its entry.
+void Wave::beginPath(int population, int place) {
+  const int face = static_cast<int>(pool_->face[place]);
+  pool_->pathState[place] = paths_.automaton(population).next(PathAutomaton::kStart, face);
+  const PathCode::Words words = paths_.code(population).with({}, face, 0);
+  pool_->pathFirst[place] = words.first;
+  pool_->pathLast[place] = words.last;
+}
+
 /// Gives the places of rays that have ended to the next ones, or to the last of the pool.
-void Wave::refill(RayQueue& queue, int members) {
+void Wave::refill(RayQueue& queue, int population, int members) {
   // From the back, so that the last ray of the pool is never one that has ended.
   for (int k = pool_->endedCount - 1; k >= 0; --k) {
     const int place = static_cast<int>(pool_->ended[k]);
     settle(queue, place);
-    if (putNext(queue, members, place)) continue;
+    if (putNext(queue, population, members, place)) continue;
     const int last = --pool_->active;
     if (place == last) continue;
     pool_->move(last, place);
+    if (paths_.record() != PathRecord::nothing) pool_->movePath(last, place);
     pool_->energy[last] = 0.0;
   }
 }
@@ -142,19 +164,53 @@ void Wave::settle(RayQueue& queue, int place) {
   if (left > 0.0) counts_.energy.cutOff.add(left);
 }
 
+/// Takes off the list what the filter does not keep.
+void Wave::filter(int population) {
+  int kept = 0;
+  std::int64_t filtered = 0;
+  for (int i = 0; i < exits_.count; ++i) {
+    if (paths_.keeps(population, exits_.pathState[i]))
+      exits_.move(i, kept++);
+    else
+      filtered += std::llrint(exits_.energy[i] * energy_.perLight);  // as LaneSteps::enter and meetFaces count it
+  }
+  counts_.deposits -= static_cast<std::uint64_t>(exits_.count - kept);
+  exits_.count = kept;
+  const auto units = coarserUnits() * ExactSum::Units{filtered};
+  counts_.energy.filtered.addUnits(units);
+  counts_.energy.out.addUnits(-units);
+}
+
+/// Says of each exit which layer its light belongs to.
+void Wave::sortByLayer(const RayQueue& queue, int population) {
+  allowed_.resize(static_cast<std::size_t>(queue.count));
+  for (int place = 0; place < queue.count; ++place) {
+    const auto axis = [place](const RayQueue::Row* rows) {
+      return Vec3(rows[0][place], rows[1][place], rows[2][place]);
+    };
+    allowed_[static_cast<std::size_t>(place)] =
+        paths_.layersFor(cloud_.populations()[population], axis(queue.crystalY), axis(queue.crystalZ));
+  }
+  exits_.layer.resize(static_cast<std::size_t>(exits_.count));
+  for (int i = 0; i < exits_.count; ++i) {
+    const int place = queue.placeOf(static_cast<int>(exits_.ray[i]));
+    exits_.layer[static_cast<std::size_t>(i)] =
+        paths_.layerOf(population, exits_.pathState[i], allowed_[static_cast<std::size_t>(place)]);
+  }
+}
+
 void Wave::count(const RayQueue& queue, int members) {
   counts_.rays += static_cast<std::uint64_t>(members) * queue.count;
   counts_.deposits += exits_.count;
   counts_.hits -= energy_.lostPaths;
   for (int place = 0; place < queue.count; ++place) counts_.energy.in.add(members * queue.weight[place]);
-  const auto coarser = static_cast<std::int64_t>(ExactSum::kScale / energy_.perLight);
-  counts_.energy.out.addUnits(coarser * energy_.out);
-  counts_.energy.lost.addUnits(coarser * energy_.lost);
+  counts_.energy.out.addUnits(coarserUnits() * energy_.out);
+  counts_.energy.lost.addUnits(coarserUnits() * energy_.lost);
 }
 
 void TraceCounts::visitSums(SumVisitor& visitor) {
   for (std::uint64_t* count : {&rays, &hits, &deposits, &placed, &rescued}) visitor.visit(*count);
-  for (ExactSum* sum : {&energy.in, &energy.out, &energy.absorbed, &energy.cutOff, &energy.lost}) visitor.visit(*sum);
+  for (ExactSum* sum : {&energy.in, &energy.out, &energy.filtered, &energy.absorbed, &energy.cutOff, &energy.lost}) visitor.visit(*sum);
 }
 
 }  // namespace parhelion

@@ -8,6 +8,7 @@
 #include "trace/energy_ledger.h"
 #include "trace/engine.h"
 #include "trace/film.h"
+#include "trace/path_plan.h"
 #include "trace/ray_source.h"
 
 namespace parhelion {
@@ -33,8 +34,9 @@ class Wave {
   /// many bundles that costs little. With more, the data would not fit into the second-level cache.
   static int bundles(const Cloud& cloud);
 
-  /// `engines` must outlive the wave.
-  Wave(const Cloud& cloud, const Intersectors& engines, const TraceSettings& settings, const LaneSteps& steps);
+  /// `engines` and `paths` must outlive the wave.
+  Wave(const Cloud& cloud, const Intersectors& engines, const PathPlan& paths, const TraceSettings& settings,
+       const LaneSteps& steps);
 
   /// Traces bundles first ... first + count - 1 into `tally`, of each the first `members` rays. `count` is at most
   /// bundles().
@@ -47,13 +49,20 @@ class Wave {
  private:
   void follow(RayQueue& queue, int population, int members);
   void findFaces(int population);
-  bool putNext(RayQueue& queue, int members, int place);
-  void refill(RayQueue& queue, int members);
+  bool putNext(RayQueue& queue, int population, int members, int place);
+  void beginPath(int population, int place);
+  void refill(RayQueue& queue, int population, int members);
   void settle(RayQueue& queue, int place);
+  void filter(int population);
+  void sortByLayer(const RayQueue& queue, int population);
+
+  /// Units of ExactSum in one of `energy_`.
+  std::int64_t coarserUnits() const { return static_cast<std::int64_t>(ExactSum::kScale / energy_.perLight); }
   void count(const RayQueue& queue, int members);
 
   const Cloud& cloud_;
   const Intersectors& engines_;
+  const PathPlan& paths_;
   const LaneSteps& steps_;
   std::uint64_t seed_;
   PathRule rule_;
@@ -63,6 +72,7 @@ class Wave {
   int nextMember_ = 0, nextPlace_ = 0;  // of the rays in the queue
   ExitList exits_;
   EnergyUnits energy_;
+  std::vector<std::uint64_t> allowed_;  // by place in the queue: PathPlan::layersFor()
   TraceCounts counts_;
 };
 

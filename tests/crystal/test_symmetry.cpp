@@ -63,7 +63,7 @@ double measuredAsymmetry(const PopulationSettings& settings) {
   for (int i = 0; i < kDraws; ++i) {
     RandomStream random(43, i, RandomPurpose::incidence);
     const double u1 = random.next(), u2 = random.next(), u3 = random.next();
-    const Mat3 m = matrixOf(population.orientation().at(u1, u2, u3));
+    const Mat3 m = matrixOf(population.orientationQuantile().at(u1, u2, u3));
     const Face& a = faces[static_cast<std::size_t>(random.next() * static_cast<double>(faces.size()))];
     const Face& b = faces[static_cast<std::size_t>(random.next() * static_cast<double>(faces.size()))];
     const Vec3 na = m * a.normal, nb = m * b.normal;

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "crystal/raypath/halo_paths.h"
+
+#include <algorithm>
+#include <string>
+
+namespace parhelion {
+
+namespace {
+
+constexpr std::string_view kGreenler = "Greenler 1980";
+constexpr std::string_view kTape = "Tape 1994";
+constexpr std::string_view kTapeMoilanen = "Tape & Moilanen 2006";
+
+/// One word for what people write in several ways.
+std::string plainName(std::string_view name) {
+  std::string plain;
+  for (const char c : name) plain += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  for (const auto& [written, meant] : {std::pair<std::string, std::string>{" degrees", "°"},
+                                       {" degree", "°"},
+                                       {" deg", "°"},
+                                       {"-degree", "°"},
+                                       {"parhelia", "parhelion"},
+                                       {"arcs", "arc"},
+                                       {"halos", "halo"},
+                                       {"circumhorizon arc", "circumhorizontal arc"}})
+    if (const std::size_t at = plain.find(written); at != std::string::npos) plain.replace(at, written.size(), meant);
+  return plain;
+}
+
+}  // namespace
+
+std::span<const HaloPath> haloPaths() {
+  using enum Stance;
+  static const std::vector<HaloPath> table{
+      // The 60 degree wedges of prism faces.
+      {"22° halo", "3-5", {random}, kGreenler},
+      {"parhelion", "3-5", {plate}, kGreenler},
+      {"circumscribed halo", "3-5", {column}, kGreenler},
+      {"upper tangent arc", "3-5", {column}, kGreenler},
+      {"lower tangent arc", "3-5", {column}, kGreenler},
+      {"Parry arc", "3-5, symmetry = crystal", {parry}, kTape},
+      {"Lowitz arc", "3-5, symmetry = crystal", {lowitz}, kTapeMoilanen},
+      // The 90 degree wedges of a prism face and an end.
+      {"46° halo", "1-3 | 3-1", {random}, kGreenler},
+      {"circumzenithal arc", "1-3", {plate}, kGreenler},
+      {"circumhorizontal arc", "3-2", {plate}, kGreenler},
+      {"supralateral arc", "1-3 | 3-1", {column}, kTape},
+      {"infralateral arc", "1-3 | 3-1", {column}, kTape},
+      // Reflections.
+      {"parhelic circle", "prism | 1-prism-2 | 1-prism-prism-prism-2", {plate}, kTape},
+      {"120° parhelion", "1-3-4-2 | 1-3-5-2", {plate}, kTape},
+      {"subsun", "1 | 1-2-1", {plate}, kGreenler},
+      {"subparhelion", "3-2-5", {plate}, kTape},
+      {"sun pillar", "basal | 1-2-1 | 2-1-2", {plate}, kGreenler},
+      {"Wegener arc", "3-1-5", {column}, kTape},
+      {"Hastings arc", "3-1-5, symmetry = crystal", {parry}, kTape},
+      // Rings of pyramids, by the wedges of their least deviations.
+      {"9° halo", "3-16 | 3-26 | 16-3 | 26-3", {random}, kTapeMoilanen},
+      {"18° halo", "13-25 | 25-13", {random}, kTapeMoilanen},
+      {"20° halo", "13-16 | 23-26", {random}, kTapeMoilanen},
+      {"23° halo", "1-23 | 23-1 | 2-13 | 13-2", {random}, kTapeMoilanen},
+      {"24° halo", "3-15 | 3-25 | 15-3 | 25-3", {random}, kTapeMoilanen},
+      {"35° halo", "13-15 | 23-25", {random}, kTapeMoilanen},
+  };
+  return table;
+}
+
+const HaloPath* haloNamed(std::string_view name) {
+  if (name.empty()) return nullptr;
+  const std::string plain = plainName(name);
+  for (const HaloPath& halo : haloPaths())
+    if (plainName(halo.name) == plain) return &halo;
+  return nullptr;
+}
+
+std::vector<std::string_view> haloNames() {
+  std::vector<std::string_view> names;
+  for (const HaloPath& halo : haloPaths()) names.push_back(halo.name);
+  return names;
+}
+
+}  // namespace parhelion

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "crystal/raypath/stance.h"
+
+namespace parhelion {
+
+/// A halo that has a name: which raypaths make it in crystals of which stance.
+struct HaloPath {
+  std::string_view name;        // as observers call it, UTF-8
+  std::string_view pattern;     // path_pattern.h
+  std::vector<Stance> stances;  // any of them
+  std::string_view source;
+};
+
+/// The halos that patterns may call by name. Paths after Greenler 1980, Tape 1994, Tape & Moilanen 2006. Where two
+/// halos come of the same paths in the same crystals, such as the upper and the lower tangent arc, both names mean both.
+std::span<const HaloPath> haloPaths();
+
+/// The halo of this name, whatever its capitals; its plural and "deg" for the degree sign will do. Null if there is
+/// none.
+const HaloPath* haloNamed(std::string_view name);
+
+std::vector<std::string_view> haloNames();
+
+}  // namespace parhelion

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "crystal/raypath/path_pattern.h"
+
+namespace parhelion {
+
+/// Part of the light, told apart by how it came through which crystals. What is left out takes all.
+struct LayerSettings {
+  struct TiltRange {
+    double from = 0.0, to = 0.0;  // rad, of PathPlan::tiltOf(); `to` is not in it
+  };
+
+  std::string name;
+  std::optional<PathPattern> paths;
+  std::vector<std::string> populations;  // by name; empty: all
+  std::optional<TiltRange> tilt;
+};
+
+/// The most layers of a run: each is a bit of a word.
+inline constexpr std::size_t kMostLayers = 64;
+
+/// What a run keeps of the light, and what it tells apart.
+struct PathSettings {
+  std::optional<PathPattern> filter;   // only light that took such a path is kept
+  std::vector<LayerSettings> layers;   // light goes to the first that takes it, and what none takes to the rest
+};
+
+}  // namespace parhelion
