@@ -57,6 +57,7 @@ PathPlan::PathPlan(const Cloud& cloud, const PathSettings& settings, bool sequen
     : hasFilter_(settings.filter.has_value()),
       layers_(static_cast<int>(settings.layers.size())),
       record_(recordFor(settings, sequences)) {
+  if (record_ == PathRecord::nothing) return;
   if (settings.layers.size() > kMostLayers)
     throw std::invalid_argument("there may be " + std::to_string(kMostLayers) + " layers at the most");
   for (const LayerSettings& layer : settings.layers) {

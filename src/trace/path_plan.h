@@ -24,7 +24,11 @@ class PathPlan {
   PathPlan(const Cloud& cloud, const PathSettings& settings, bool sequences = false);
 
   PathRecord record() const { return record_; }
-  const PathTable& table(int population) const { return populations_[population].table; }
+
+  /// What is kept of the paths of a population; the others are for records that keep something.
+  PathTable table(int population) const {
+    return record_ == PathRecord::nothing ? PathTable{} : populations_[population].table;
+  }
   const PathAutomaton& automaton(int population) const { return populations_[population].automaton; }
   const PathCode& code(int population) const { return populations_[population].code; }
 

@@ -68,7 +68,7 @@ void Wave::trace(std::uint64_t first, int count, int members, Film& tally) {
 
 void Wave::follow(RayQueue& queue, int population, int members) {
   const FaceTable& faces = cloud_.faces(population);
-  const PathTable& paths = paths_.table(population);
+  const PathTable paths = paths_.table(population);
   const auto enter = steps_.enter[static_cast<std::size_t>(paths_.record())];
   const auto meetFaces = steps_.meetFaces[static_cast<std::size_t>(paths_.record())];
   exits_.count = 0;
