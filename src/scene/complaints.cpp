@@ -80,6 +80,22 @@ void Complaints::add(const Place& place, std::string_view message, std::string_v
   complaints_.push_back({place, std::move(d)});
 }
 
+Place Complaints::placeIn(const Place& value, std::string_view text, std::size_t at, std::size_t length) const {
+  const std::vector<std::string>& lines = texts_[value.text].lines;
+  if (value.line < 1 || value.line > static_cast<int>(lines.size())) return value;
+  const std::string& line = lines[static_cast<std::size_t>(value.line - 1)];
+  const std::size_t from = line.size() - dropCodePoints(line, value.column - 1).size(), found = line.find(text, from);
+  if (found == std::string::npos || text.empty()) return value;
+  const auto columnAt = [&](std::size_t byte) {
+    return static_cast<int>(countCodePoints(std::string_view(line).substr(0, std::min(byte, line.size())))) + 1;
+  };
+  Place part = value;
+  part.column = columnAt(found + at);
+  part.endLine = part.line;
+  part.endColumn = std::max(part.column + 1, columnAt(found + at + length));
+  return part;
+}
+
 void Complaints::throwIfAny() {
   if (complaints_.empty()) return;
   const auto position = [](const Complaint& c) { return std::tuple(c.place.text, c.place.line, c.place.column); };

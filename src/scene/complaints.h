@@ -30,6 +30,10 @@ class Complaints {
 
   void add(const Place& place, std::string_view message, std::string_view hint = "");
 
+  /// Where `part` of a string stands that begins at `value`: a byte range of the string's text. The place of the whole
+  /// string where its text is written in another way, with escapes or over several lines.
+  Place placeIn(const Place& value, std::string_view text, std::size_t at, std::size_t length) const;
+
   /// Throws SceneError where there is anything to complain about.
   void throwIfAny();
 

@@ -165,7 +165,15 @@ std::string describe(const CameraSettings& camera) {
 std::string describe(const TraceSettings& trace) {
   return std::to_string(trace.rays) + " rays, seed " + std::to_string(trace.seed) + ", engine " +
          std::string(nameOf(trace.engine)) + ", path " + std::string(nameOf(trace.path)) + ", sampler " +
-         std::string(nameOf(trace.sampler)) + ", symmetry " + std::string(nameOf(trace.symmetry));
+         std::string(nameOf(trace.sampler)) + ", symmetry " + std::string(nameOf(trace.symmetry)) +
+         (trace.paths.filter ? ", filter " + trace.paths.filter->text : "");
+}
+
+std::string describe(const LayerSettings& layer) {
+  std::string text = layer.name + ": " + (layer.paths ? "paths " + layer.paths->text : "all paths");
+  for (const std::string& name : layer.populations) text += (&name == layer.populations.data() ? " of " : ", ") + name;
+  if (layer.tilt) text += "; tilted " + inDegrees(layer.tilt->from) + " to " + inDegrees(layer.tilt->to);
+  return text;
 }
 
 std::string row(const std::string& title, const std::string& text) {
@@ -185,6 +193,7 @@ std::string describeScene(const Scene& scene) {
     const std::string share = formatNumber(100.0 * p.weight / sum) + " % of the surface";
     text += row("population", p.name + ": " + share + "; " + describe(p.shape) + "; " + describe(p.orientation));
   }
+  for (const LayerSettings& layer : scene.trace.paths.layers) text += row("layer", describe(layer));
   text += row("camera", describe(scene.camera)) + row("trace", describe(scene.trace));
   return text + row("recon", std::string(nameOf(scene.recon)));
 }

@@ -115,6 +115,20 @@ struct IceIndex {
   Json write(const IceSettings& value) const;
 };
 
+/// A pattern of raypaths, or the name of a halo.
+struct Paths {
+  bool read(const Value& in, PathPattern& out) const;
+  Json schema() const { return {{"type", {"string", "integer"}}, {"minLength", 1}, {"minimum", 1}}; }
+  Json write(const PathPattern& value) const { return value.text; }
+};
+
+/// A list of different names.
+struct Names {
+  bool read(const Value& in, std::vector<std::string>& out) const;
+  Json schema() const;
+  Json write(const std::vector<std::string>&) const { return {}; }
+};
+
 /// The names in quotation marks, with commas.
 std::string listNames(std::span<const std::string_view> names);
 

@@ -11,6 +11,7 @@
 
 #include "crystal/symmetry.h"
 #include "picture/limits.h"
+#include "scene/layer_checks.h"
 #include "scene/overrides.h"
 #include "scene/scene_keys.h"
 #include "scene/text_guard.h"
@@ -58,6 +59,8 @@ Scene readScene(const toml::table& root, Complaints& complaints) {
     complaints.add({}, "a scene needs at least one population", "begin each population with [[population]]");
   }
   checkSymmetry(root, scene, complaints);
+  addLayerPerPopulation(root, scene, complaints);
+  checkLayers(root, scene, complaints);
   return scene;
 }
 

@@ -125,6 +125,38 @@ void visitKeys(Visitor& v, TraceSettings& trace) {
   v.key("symmetry", kinds::Choice<Symmetry>{}, trace.symmetry,
         "Symmetry of the sky to make use of: rays count as their mirror images, too (\"mirror\"), or for whole rings "
         "about the sun (\"radial\"); \"auto\" takes the most that the populations allow.");
+  v.key("filter", kinds::Optional{kinds::Paths{}}, trace.paths.filter,
+        "Keeps only light of such raypaths: a pattern such as \"3-5\", or the name of a halo.");
+}
+
+/// A [[layer]] as its keys say it.
+struct LayerKeys {
+  std::optional<std::string> name = std::nullopt;
+  std::optional<PathPattern> paths = std::nullopt;
+  std::vector<std::string> populations = {};
+  std::optional<LayerSettings::TiltRange> tilt = std::nullopt;
+};
+
+template <class Visitor>
+void visitKeys(Visitor& v, LayerKeys& layer) {
+  v.key("name", kinds::Optional{kinds::Text{}}, layer.name, "Name, unique: the picture has channels NAME.R, NAME.G, "
+        "NAME.B.");
+  v.key("paths", kinds::Optional{kinds::Paths{}}, layer.paths,
+        "Raypaths of the layer: a pattern such as \"1-3\", or the name of a halo. All when left out.");
+  v.key("populations", kinds::Names{}, layer.populations, "Populations of the layer by name. All when left out.");
+  v.key("tilt", kinds::Optional{kinds::Tilts{}}, layer.tilt,
+        "Range of the crystals' own tilt from their rest, degrees; the end is not in it.");
+}
+
+/// How layers are said in short.
+enum class LayersBy { populations };
+
+constexpr std::string_view nameOf(LayersBy value) {
+  switch (value) {
+    case LayersBy::populations:
+      return "populations";
+  }
+  return {};
 }
 
 template <class Visitor>
@@ -172,6 +204,11 @@ void visitKeys(Visitor& v, Scene& scene) {
   v.key("sun", kinds::Table<SunSettings>{"[sun]"}, scene.sun, "The source of light.");
   v.key("ice", kinds::Table<IceSettings>{"[ice]"}, scene.ice, "What the crystals are made of.");
   v.key("population", kinds::Populations{}, scene.populations, "The crystals: at least one population.");
+  std::optional<LayersBy> layersBy;  // made into layers by addLayerPerPopulation()
+  v.key("layers", kinds::Optional{kinds::Choice<LayersBy>{}}, layersBy,
+        "\"populations\": a layer for each population, in the place of [[layer]].");
+  v.key("layer", kinds::Layers{}, scene.trace.paths.layers,
+        "Light to be told apart: each exit goes to the first layer that takes it, what none takes to the rest.");
   v.key("camera", kinds::CameraTable{}, scene.camera, "Where the image looks.");
   v.key("trace", kinds::Table<TraceSettings>{"[trace]"}, scene.trace, "How light is followed.");
   v.key("recon", kinds::Recon{}, scene.recon, "How the image is made of the hits.");

@@ -26,6 +26,7 @@ std::string sceneSchema() { return schemaOfScenes().dump(2) + '\n'; }
 std::string tablesWithKey(std::string_view key) {
   std::string list;
   for (const auto& [name, table] : tables().items()) {
+    if (!table.contains("type")) continue;  // a plain value
     const bool isList = table["type"] == "array";
     const Json& properties = (isList ? table["items"] : table)["properties"];
     if (!properties.contains(std::string(key))) continue;

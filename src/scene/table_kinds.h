@@ -77,6 +77,20 @@ struct Populations {
   Json write(const std::vector<PopulationSettings>&) const { return {}; }
 };
 
+/// [from, to], degrees.
+struct Tilts {
+  bool read(const Value& in, LayerSettings::TiltRange& out) const;
+  Json schema() const;
+  Json write(const LayerSettings::TiltRange&) const { return {}; }
+};
+
+/// The list of [[layer]] tables.
+struct Layers {
+  bool read(const Value& in, std::vector<LayerSettings>& out) const;
+  Json schema() const;
+  Json write(const std::vector<LayerSettings>&) const { return {}; }
+};
+
 /// A name, or the inline table in full.
 struct Orientation {
   bool read(const Value& in, OrientationWords& out) const;

@@ -17,10 +17,10 @@ using Json = nlohmann::json;
 
 Json schema() { return Json::parse(sceneSchema()); }
 
-/// The schemas of the tables of a scene by name; of the list of populations, that of an element.
+/// The schemas of the tables of a scene by name; of the lists of populations and layers, that of an element.
 Json tables() {
   Json result = schema()["properties"];
-  result["population"] = result["population"]["items"];
+  for (const char* list : {"population", "layer"}) result[list] = result[list]["items"];
   return result;
 }
 
@@ -51,6 +51,7 @@ TEST_CASE("the schema has exactly the keys that the parser accepts") {
     CHECK(keysOf(tables()[name]) == acceptedIn(std::string("[").append(name) + "]\nzzz = 1\n[[population]]"));
   }
   CHECK(keysOf(tables()["population"]) == acceptedIn("[[population]]\nzzz = 1"));
+  CHECK(keysOf(tables()["layer"]) == acceptedIn("[[layer]]\nname = 'a'\nzzz = 1\n[[population]]"));
   CHECK(keysOf(tables()["population"]["properties"]["orientation"]["anyOf"][1]) ==
         acceptedIn("[[population]]\norientation = { zenith = 1, zzz = 1 }"));
 }
@@ -67,6 +68,7 @@ TEST_CASE("every table refuses other keys and every key is described") {
   };
   walk(schema());
   for (const Json& table : tables()) {
+    if (!table.contains("properties")) continue;
     for (const Json& key : table["properties"]) CHECK(key["description"].get<std::string>().size() > 10);
   }
 }

@@ -85,7 +85,8 @@ struct PathPattern {
   bool operator==(const PathPattern& other) const { return text == other.text; }
 };
 
-/// More hits than this, places or brackets in brackets are refused: an automaton has to count them.
+/// Longer patterns are refused, and more hits, places or brackets in brackets: an automaton has to count them.
+inline constexpr std::size_t kMostPatternBytes = 10'000;
 inline constexpr int kMostPatternHits = 255;
 inline constexpr std::size_t kMostPatternPlaces = 256;
 inline constexpr int kDeepestPattern = 32;

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <set>
+#include <string>
+
+#include "crystal/raypath/stance.h"
+#include "scene/layer_checks.h"
+#include "scene/scene_keys.h"
+#include "scene/utf8.h"
+
+namespace parhelion {
+
+namespace {
+
+constexpr Range kTiltRange{0, 180};
+
+/// [from, to] in degrees.
+bool readTilt(const Value& in, LayerSettings::TiltRange& out) {
+  const toml::array* list = in.node.as_array();
+  const auto number = [&](std::size_t i) {
+    return list && list->size() == 2 ? Value{*list->get(i), in.key, in.complaints}.numberIn(kTiltRange) : std::nullopt;
+  };
+  const auto from = number(0), to = number(1);
+  if (!from || !to || !(*from < *to)) return in.mustBe("[from, to], degrees from 0 to 180, from below to");
+  out = {radians(*from), radians(*to)};
+  return true;
+}
+
+/// A name that channels of a picture can have before their own: NAME.R
+bool isLayerName(const std::string& name) {
+  return name != kRestLayer && name.find_first_of("./\\") == std::string::npos && name.front() != ' ' &&
+         name.back() != ' ';
+}
+
+LayerSettings readLayer(const toml::table& table, Complaints& complaints) {
+  TableReader reader(table, "[[layer]]", complaints);
+  LayerKeys keys;
+  visitKeys(reader, keys);
+  reader.rejectUnknown();
+  if (!reader.has("name"))
+    complaints.add(placeOf(table.source(), complaints), "a layer needs a name", "name = \"cza\"");
+  else if (!reader.rejected("name") && !isLayerName(*keys.name))
+    reader.reject("name", "a layer's name must not be \"rest\" nor have '.', '/', '\\' or a space at its ends");
+  return {keys.name.value_or(""), keys.paths, keys.populations, keys.tilt};
+}
+
+}  // namespace
+
+bool kinds::Paths::read(const Value& in, PathPattern& out) const {
+  auto text = in.string();
+  if (const auto face = in.node.value_exact<std::int64_t>()) text = std::to_string(*face);  // 3: reflected by face 3
+  if (!text || text->size() > kMostPatternBytes || printable(*text, text->size()) != *text)
+    return in.mustBe("a pattern of raypaths, such as \"3-5\", or the name of a halo");
+  try {
+    out = parsePathPattern(*text);
+    return true;
+  } catch (const PatternError& error) {
+    const Place whole = placeOf(in.node.source(), in.complaints);
+    in.complaints.add(in.complaints.placeIn(whole, *text, error.at, error.length),
+                      std::string("'").append(in.key) + "': " + error.what(),
+                      didYouMean(error.unknownWord, error.acceptedWords));
+    return false;
+  }
+}
+
+bool kinds::Names::read(const Value& in, std::vector<std::string>& out) const {
+  const toml::array* list = in.node.as_array();
+  if (!list || list->empty()) return in.mustBe("a list of names, such as [\"plates\"]");
+  for (const toml::node& node : *list) {
+    std::string name;
+    if (!Text{}.read(Value{node, in.key, in.complaints}, name)) return false;
+    if (std::ranges::find(out, name) != out.end())
+      return Value{node, in.key, in.complaints}.reject("this name is in the list already");
+    out.push_back(std::move(name));
+  }
+  return true;
+}
+
+Json kinds::Names::schema() const {
+  return {{"type", "array"}, {"minItems", 1}, {"uniqueItems", true}, {"items", Text{}.schema()}};
+}
+
+bool kinds::Tilts::read(const Value& in, LayerSettings::TiltRange& out) const { return readTilt(in, out); }
+
+Json kinds::Tilts::schema() const {
+  return {{"type", "array"}, {"minItems", 2}, {"maxItems", 2}, {"items", numberSchema(kTiltRange)}};
+}
+
+bool kinds::Layers::read(const Value& in, std::vector<LayerSettings>& out) const {
+  const toml::array* list = in.node.as_array();
+  if (!list) return in.mustBe("a list of tables", "begin each layer with [[layer]], in double brackets");
+  if (list->size() > kMostLayers)
+    return in.reject(std::to_string(list->size()) + " layers are too many; at most " + std::to_string(kMostLayers));
+  std::set<std::string> names;
+  for (const toml::node& node : *list) {
+    const toml::table* table = node.as_table();
+    if (!table) return Value{node, in.key, in.complaints}.mustBe("a list of tables");
+    out.push_back(readLayer(*table, in.complaints));
+    if (!out.back().name.empty() && !names.insert(out.back().name).second)
+      Value{*table->get("name"), in.key, in.complaints}.reject("the name of this layer is taken: \"" +
+                                                               out.back().name + '"');
+  }
+  return true;
+}
+
+Json kinds::Layers::schema() const {
+  Json layer = tableSchema<LayerKeys>();
+  layer["required"] = {"name"};
+  return {{"type", "array"}, {"maxItems", kMostLayers}, {"items", layer}};
+}
+
+namespace {
+
+/// Complains about names that no population has.
+void checkNames(const std::vector<std::string>& names, const Scene& scene, const Place& place,
+                Complaints& complaints) {
+  std::vector<std::string_view> accepted;
+  for (const PopulationSettings& population : scene.populations) accepted.push_back(population.name);
+  for (const std::string& name : names)
+    if (std::ranges::find(accepted, name) == accepted.end())
+      complaints.add(place, "there is no population \"" + name + '"', didYouMean(name, accepted));
+}
+
+bool isNamed(const std::vector<std::string>& names, const std::string& name) {
+  return names.empty() || std::ranges::find(names, name) != names.end();
+}
+
+/// Complains about the name of a halo that none of the populations can make.
+void checkStances(const PathPattern& pattern, const std::vector<std::string>& populations, const Scene& scene,
+                  const Place& place, Complaints& complaints) {
+  if (pattern.stances.empty()) return;
+  for (const PopulationSettings& settings : scene.populations) {
+    if (!isNamed(populations, settings.name) || !isNamed(pattern.populations, settings.name)) continue;
+    const auto stance = stanceOf(Population(settings));
+    if (stance && std::ranges::find(pattern.stances, *stance) != pattern.stances.end()) return;
+  }
+  std::string needed;
+  for (const Stance stance : pattern.stances)
+    needed += (needed.empty() ? "\"" : " or \"") + std::string(nameOf(stance)) + '"';
+  complaints.add(place, "no population here makes the halo of '" + pattern.text + "'",
+                 "it comes of crystals whose orientation is " + needed);
+}
+
+}  // namespace
+
+void checkLayers(const toml::table& root, Scene& scene, Complaints& complaints) {
+  PathSettings& paths = scene.trace.paths;
+  if (const toml::node* node = root["trace"]["filter"].node(); node && paths.filter) {
+    checkNames(paths.filter->populations, scene, placeOf(node->source(), complaints), complaints);
+    checkStances(*paths.filter, {}, scene, placeOf(node->source(), complaints), complaints);
+  }
+  const toml::array* list = root["layer"].as_array();
+  for (std::size_t i = 0; list && i < std::min(list->size(), paths.layers.size()); ++i) {
+    const toml::table* table = list->get(i)->as_table();
+    if (!table) continue;
+    const auto placeOfKey = [&](std::string_view key) {
+      const toml::node* node = table->get(key);
+      return placeOf((node ? *node : static_cast<const toml::node&>(*table)).source(), complaints);
+    };
+    const LayerSettings& layer = paths.layers[i];
+    checkNames(layer.populations, scene, placeOfKey("populations"), complaints);
+    if (!layer.paths) continue;
+    checkNames(layer.paths->populations, scene, placeOfKey("paths"), complaints);
+    checkStances(*layer.paths, layer.populations, scene, placeOfKey("paths"), complaints);
+  }
+}
+
+void addLayerPerPopulation(const toml::table& root, Scene& scene, Complaints& complaints) {
+  const toml::node* node = root["layers"].node();
+  if (!node) return;
+  const Place place = placeOf(node->source(), complaints);
+  std::vector<LayerSettings>& layers = scene.trace.paths.layers;
+  if (root.contains("layer")) {
+    complaints.add(place, "'layers' cannot be used together with [[layer]]", "leave one of them out");
+    return;
+  }
+  if (scene.populations.size() > kMostLayers) {
+    complaints.add(place, std::to_string(scene.populations.size()) + " populations are too many layers; at most " +
+                              std::to_string(kMostLayers));
+    return;
+  }
+  for (const PopulationSettings& population : scene.populations) {
+    if (!isLayerName(population.name))
+      complaints.add(place, "the population's name \"" + population.name + "\" cannot be that of a layer",
+                     "it must not be \"rest\" nor have '.', '/', '\\' or a space at its ends");
+    layers.push_back({population.name, {}, {population.name}, {}});
+  }
+}
+
+}  // namespace parhelion
