@@ -28,6 +28,7 @@ void addCommands(CLI::App& app, int& exit, Tracers& tracers) {
   addView(app, exit);
   addProfile(app, exit, tracers);
   addMap(app, exit, tracers);
+  addPaths(app, exit);
   addReplay(app, exit);
   addInfo(app, exit);
   addCheck(app, exit);

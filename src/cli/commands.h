@@ -34,6 +34,7 @@ void addSweep(CLI::App& app, int& exit);
 void addView(CLI::App& app, int& exit);
 void addProfile(CLI::App& app, int& exit, Tracers& tracers);
 void addMap(CLI::App& app, int& exit, Tracers& tracers);
+void addPaths(CLI::App& app, int& exit);
 void addReplay(CLI::App& app, int& exit);
 void addInfo(CLI::App& app, int& exit);
 void addCheck(CLI::App& app, int& exit);

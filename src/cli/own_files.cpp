@@ -23,7 +23,7 @@ constexpr std::string_view kChartMark = "<!-- parhelion ";  // behind the XML de
 
 bool isOwnTable(std::string_view start) {
   const std::string_view columns = start.substr(0, start.find('\n'));
-  return columns == kProfileColumns || columns == kMapColumns || columns == kLightColumns ||
+  return columns == kProfileColumns || columns == kMapColumns || columns == kPathColumns || columns == kLightColumns ||
          columns == std::string(kLightColumns) + kOtherLightColumns;
 }
 

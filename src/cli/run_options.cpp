@@ -34,6 +34,14 @@ std::string choices() {
   return all;
 }
 
+/// Any text as a string of TOML, literal where that can be.
+std::string tomlString(const std::string& text) {
+  if (text.find('\'') == std::string::npos) return '\'' + text + '\'';
+  std::string quoted;
+  for (const char c : text) quoted += c == '"' || c == '\\' ? std::string("\\") + c : std::string(1, c);
+  return '"' + quoted + '"';
+}
+
 /// Complains unless `text` is WIDTHxHEIGHT.
 std::string validResolution(const std::string& text) {
   const std::size_t x = text.find('x');
@@ -104,6 +112,8 @@ void RunOptions::addTracingTo(CLI::App& command, bool hasImage) {
     command.add_option("--symmetry", symmetry, "Symmetry of the sky to make use of")
         ->type_name(choices<Symmetry>())
         ->check(nameOfOne<Symmetry>());
+  command.add_option("--paths", filter, "Keep only light of such raypaths, for one 3-5 or '22° halo'; as trace.filter")
+      ->type_name("PATTERN");
   command.add_option("--time", timeLimit, "Stop after this time, for one 90s or 8h, whatever has been traced")
       ->type_name("TIME")
       ->transform(durationInSeconds(1e-3, 1e9));
@@ -126,6 +136,7 @@ LoadedScene RunOptions::load(const std::vector<std::string>& more) const {
   if (!engine.empty()) all.push_back("trace.engine='" + engine + "'");
   if (!sampler.empty()) all.push_back("trace.sampler='" + sampler + "'");
   if (!symmetry.empty()) all.push_back("trace.symmetry='" + symmetry + "'");
+  if (!filter.empty()) all.push_back("trace.filter=" + tomlString(filter));
   if (!resolution.empty()) {
     std::string size = resolution;
     size.replace(size.find('x'), 1, ",");

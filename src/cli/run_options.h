@@ -20,7 +20,7 @@ struct RunOptions {
   std::string scene;
   std::vector<std::string> overrides;  // -D key=value
   // Turned into overrides by load(); empty: what the scene says.
-  std::string rays, seed, resolution, engine, sampler, symmetry;
+  std::string rays, seed, resolution, engine, sampler, symmetry, filter;
   bool noGround = false;                                       // the same
   double timeLimit = std::numeric_limits<double>::infinity();  // s
   int threads = 0;

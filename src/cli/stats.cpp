@@ -31,8 +31,11 @@ void printLedger(const TraceReport& report) {
       report.seconds, speed.value, speed.suffix, static_cast<double>(report.hits) / rays,
       static_cast<double>(report.deposits) / rays);
   if (report.interrupted) say("interrupted: stopped before all rays were traced");
-  say("energy: in 1 = out %.9f + absorbed %g + cut off %.3g + lost %.3g, open by %.1e", energy.out.value() * per,
-      energy.absorbed.value() * per, energy.cutOff.value() * per, energy.lost.value() * per,
+  char filtered[40] = "";
+  if (energy.filtered.units() != 0)
+    std::snprintf(filtered, sizeof filtered, " + filtered %.9f", energy.filtered.value() * per);
+  say("energy: in 1 = out %.9f%s + absorbed %g + cut off %.3g + lost %.3g, open by %.1e", energy.out.value() * per,
+      filtered, energy.absorbed.value() * per, energy.cutOff.value() * per, energy.lost.value() * per,
       std::abs(energy.imbalance()));
 }
 
@@ -59,6 +62,7 @@ nlohmann::ordered_json statsJson(const TraceSettings& settings, const TraceRepor
   json["peak_memory_bytes"] = usage.peakMemory;
   json["energy"] = {{"in", report.energy.in.value()},
                     {"out", report.energy.out.value()},
+                    {"filtered", report.energy.filtered.value()},
                     {"absorbed", report.energy.absorbed.value()},
                     {"cut_off", report.energy.cutOff.value()},
                     {"lost", report.energy.lost.value()}};

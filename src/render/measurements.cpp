@@ -9,6 +9,7 @@ namespace parhelion {
 TraceSettings settingsOfMeasurement(const Cloud& cloud, const TraceSettings& asked) {
   TraceSettings settings = asked;
   settings.symmetry = Symmetry::none;
+  settings.paths.layers.clear();
   return chosenSettings(cloud, settings);
 }
 

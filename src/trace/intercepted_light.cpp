@@ -4,7 +4,7 @@
 namespace parhelion {
 
 void InterceptedLight::add(const TracedRays& traced) {
-  const auto& [queue, exits, members, mesh, steps] = traced;
+  const auto& [queue, exits, members, population, mesh, steps] = traced;
   for (int member = 0; member < members; ++member)
     for (int place = 0; place < queue.count; ++place) {
       const SpectralSample& sample = queue.light[queue.ray(member, place)];

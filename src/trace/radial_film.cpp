@@ -4,7 +4,7 @@
 namespace parhelion {
 
 int RadialFilm::add(const TracedRays& traced) {
-  const auto& [queue, exits, members, mesh, steps] = traced;
+  const auto& [queue, exits, members, population, mesh, steps] = traced;
   intercepted_.add(traced);
   byBundle_.sort(queue, exits.ray, exits.count);
   int seen = 0;

@@ -50,7 +50,7 @@ int ScatterProfile::add(const TracedRays& traced) {
 }
 
 void ScatterProfile::addExit(const TracedRays& traced, int exit) {
-  const auto& [queue, exits, members, mesh, steps] = traced;
+  const auto& [queue, exits, members, population, mesh, steps] = traced;
   const int ray = static_cast<int>(exits.ray[exit]), place = queue.placeOf(ray);
   const double energy = exits.energy[exit] * queue.light[ray].light;
   const bool undeviated = exits.undeviated[exit] != 0.0;

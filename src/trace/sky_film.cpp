@@ -6,7 +6,7 @@
 namespace parhelion {
 
 int SkyFilm::add(const TracedRays& traced) {
-  const auto& [queue, exits, members, mesh, steps] = traced;
+  const auto& [queue, exits, members, population, mesh, steps] = traced;
   const bool bothViews = mirrored_ && !foldsPicture();
   const std::size_t room = static_cast<std::size_t>(2 * exits.count + RayQueue::kSpare);
   if (seen_.pixel.size() < room)

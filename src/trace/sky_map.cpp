@@ -20,7 +20,7 @@ int SkyMap::binAt(const Vec3& toSky) const {
 }
 
 int SkyMap::add(const TracedRays& traced) {
-  const auto& [queue, exits, members, mesh, steps] = traced;
+  const auto& [queue, exits, members, population, mesh, steps] = traced;
   byBundle_.sort(queue, exits.ray, exits.count);
   for (int place = 0; place < queue.count; ++place) {
     deposits_.clear();

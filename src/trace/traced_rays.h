@@ -14,7 +14,8 @@ namespace parhelion {
 struct TracedRays {
   const RayQueue& queue;
   const ExitList& exits;
-  int members;  // rays per bundle; fewer than the queue has room for if the run ends within a bundle
+  int members;     // rays per bundle; fewer than the queue has room for if the run ends within a bundle
+  int population;  // index into the cloud's
   const CrystalMesh& mesh;
   const LaneSteps& steps;  // for further work on many exits at a time
 };

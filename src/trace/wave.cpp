@@ -62,7 +62,7 @@ void Wave::trace(std::uint64_t first, int count, int members, Film& tally) {
     RayQueue& queue = source_.queues()[p];
     if (queue.count == 0) continue;
     follow(queue, p, members);
-    counts_.placed += tally.add({queue, exits_, members, cloud_.populations()[p].mesh(), steps_});
+    counts_.placed += tally.add({queue, exits_, members, p, cloud_.populations()[p].mesh(), steps_});
   }
 }
 

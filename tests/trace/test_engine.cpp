@@ -34,7 +34,7 @@ class RayHashes : public Film {
   explicit RayHashes(std::vector<std::uint64_t>& hashes) : hashes_(hashes) {}
 
   int add(const TracedRays& traced) override {
-    const auto& [queue, exits, members, mesh, steps] = traced;
+    const auto& [queue, exits, members, population, mesh, steps] = traced;
     for (int i = 0; i < exits.count; ++i) {
       const Vec3 dir = exits.lightDir(i);
       std::uint64_t hash = mixed(static_cast<std::uint64_t>(exits.order[i]));

@@ -208,7 +208,7 @@ class PatternParser {
       }
     // Of a halo that is not known all of the words are the name.
     std::size_t end = at_;
-    while (end < text_.size() && !isSeparator(text_[end]) && text_[end] != '|') ++end;
+    while (end < text_.size() && !isSeparator(text_[end]) && std::string_view("|()-").find(text_[end]) == std::string_view::npos) ++end;
     while (end > at_ && isSpace(text_[end - 1])) --end;
     std::vector<std::string_view> accepted = haloNames();
     for (const FaceClass& one : faceClasses()) accepted.push_back(one.name);

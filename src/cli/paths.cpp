@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <optional>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/commands.h"
+#include "cli/number_options.h"
+#include "cli/outputs.h"
+#include "cli/run_options.h"
+#include "cli/say.h"
+#include "cli/stats.h"
+#include "cli/tables.h"
+#include "cli/text_output.h"
+#include "cli/trace_watch.h"
+#include "math/rotation.h"
+#include "render/traced_sky.h"
+#include "scene/suggest.h"
+#include "trace/path_ledger.h"
+
+namespace parhelion::cli {
+
+namespace {
+
+constexpr double kReferenceWavelength = 550.0;  // nm, at which least deviations are told
+constexpr double kUsualRadius = 1.0;            // degrees about --at and --ray-for
+
+struct PathsOptions {
+  RunOptions run;
+  std::string at, rayFor, layer, symmetry = std::string(nameOf(PathSymmetry::orientation));
+  double radius = kUsualRadius;  // degrees
+  int top = 0;                   // 0: all in files, kUsualTop on the terminal
+  std::string csv, json;
+
+  static constexpr int kUsualTop = 20;
+};
+
+/// "az,el" in degrees.
+std::optional<Vec3> directionIn(const std::string& text) {
+  const std::vector<double> numbers = numbersIn(text, ",");
+  if (numbers.size() != 2 || std::abs(numbers[0]) > 360.0 || std::abs(numbers[1]) > 90.0) return std::nullopt;
+  return skyDirection(radians(numbers[0]), radians(numbers[1]));
+}
+
+std::string validDirection(const std::string& text) {
+  if (directionIn(text)) return {};
+  return expectedNot("AZIMUTH,ELEVATION in degrees, for one -22.5,20", text);
+}
+
+/// A field of a CSV table.
+std::string field(const std::string& text) {
+  if (text.find_first_of(",\"\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + '"';
+}
+
+std::string angle(double degreesValue) {
+  char digits[32];
+  std::snprintf(digits, sizeof digits, "%.3f", degreesValue);
+  return digits;
+}
+
+std::string csvOf(const std::vector<PathLedger::Entry>& entries, const Cloud& cloud) {
+  std::string text = kPathColumns + std::string("\n");
+  char shares[64];
+  for (const PathLedger::Entry& entry : entries) {
+    std::snprintf(shares, sizeof shares, ",%.9g,%.4g,", entry.share, entry.error);
+    text += field(entry.path) + "," + field(cloud.populations()[entry.population].name()) + shares;
+    const SkyPoint peak = skyPoint(entry.toPeak);
+    text += angle(degrees(peak.azimuth)) + "," + angle(degrees(peak.elevation)) + ",";
+    text += (entry.leastDeviation ? angle(degrees(*entry.leastDeviation)) : "") + "," + field(entry.name) + "\n";
+  }
+  return text;
+}
+
+nlohmann::ordered_json jsonOf(const std::vector<PathLedger::Entry>& entries, const Cloud& cloud,
+                              const PathLedger& ledger, std::uint64_t rays) {
+  nlohmann::ordered_json json;
+  json["rays"] = rays;
+  json["share_of_intercepted"] = ledger.shareOfIntercepted();
+  json["paths"] = nlohmann::ordered_json::array();
+  for (const PathLedger::Entry& entry : entries) {
+    nlohmann::ordered_json one;
+    one["path"] = entry.path;
+    one["population"] = cloud.populations()[entry.population].name();
+    one["share"] = entry.share;
+    one["stderr"] = entry.error;
+    const SkyPoint peak = skyPoint(entry.toPeak);
+    one["azimuth_deg"] = degrees(peak.azimuth);
+    one["elevation_deg"] = degrees(peak.elevation);
+    one["least_deviation_deg"] =
+        entry.leastDeviation ? nlohmann::ordered_json(degrees(*entry.leastDeviation)) : nlohmann::ordered_json();
+    one["name"] = entry.name;
+    json["paths"].push_back(one);
+  }
+  return json;
+}
+
+/// The first rows for people, and how many there are besides.
+void printTable(const std::vector<PathLedger::Entry>& entries, const Cloud& cloud, int rows) {
+  answer("%8s %7s  %-16s %-14s %8s %8s %8s  %s", "share %", "+-", "path", "population", "azimuth", "elev.", "least",
+         "name");
+  double rest = 0.0;
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    const PathLedger::Entry& entry = entries[i];
+    if (i >= static_cast<std::size_t>(rows)) {
+      rest += entry.share;
+      continue;
+    }
+    const SkyPoint peak = skyPoint(entry.toPeak);
+    answer("%8.3f %7.3f  %-16s %-14s %8s %8s %8s  %s", 100.0 * entry.share, 100.0 * entry.error, entry.path.c_str(),
+           cloud.populations()[entry.population].name().c_str(), angle(degrees(peak.azimuth)).c_str(),
+           angle(degrees(peak.elevation)).c_str(),
+           entry.leastDeviation ? angle(degrees(*entry.leastDeviation)).c_str() : "", entry.name.c_str());
+  }
+  if (entries.size() > static_cast<std::size_t>(rows))
+    answer("%8.3f          %zu more", 100.0 * rest, entries.size() - static_cast<std::size_t>(rows));
+}
+
+PathLedgerScope scopeOf(const PathsOptions& options, const PathSettings& paths) {
+  PathLedgerScope scope;
+  scope.symmetry = *memberNamed<PathSymmetry>(options.symmetry);
+  const std::string& centre = options.rayFor.empty() ? options.at : options.rayFor;
+  if (!centre.empty()) scope.region = SkyRegion{*directionIn(centre), radians(options.radius)};
+  if (options.layer.empty()) return scope;
+  std::vector<std::string_view> names;
+  for (const LayerSettings& layer : paths.layers) names.push_back(layer.name);
+  names.push_back(kRestLayer);
+  const auto found = std::ranges::find(names, options.layer);
+  if (found == names.end() || names.size() == 1) {
+    std::string hint = didYouMean(options.layer, names);
+    throw Unfit("--layer: the scene has no layer '" + options.layer + "'" + (hint.empty() ? "" : "; " + hint));
+  }
+  scope.layer = static_cast<int>(found - names.begin());
+  return scope;
+}
+
+int runPaths(const PathsOptions& options) {
+  const LoadedScene loaded = options.run.load();
+  const Cloud cloud = cloudOf(loaded.scene);
+  TraceSettings settings = chosenSettings(cloud, loaded.scene.trace);
+  settings.symmetry = Symmetry::none;
+  const PathLedgerScope scope = scopeOf(options, settings.paths);
+  Transaction outputs =
+      claimOutputs({{options.run.scene}, {options.csv, options.json, options.run.stats}}, options.run.overwrite);
+  PathLedger ledger(cloud, scope);
+  const StopSignal stop;
+  TraceWatch watch(options.run, settings.rays, &stop);
+  TracedScene traced{traceRays(cloud, settings, 0, ledger, watch.control()), settings};
+  const int exit = watch.report(traced, outputs);
+  if (!options.rayFor.empty()) {
+    const auto ray = ledger.brightestRay();
+    if (!ray) throw std::runtime_error("no ray lit that part of the sky: more --rays or a larger --radius");
+    answer("%llu", static_cast<unsigned long long>(*ray));
+  } else {
+    std::vector<PathLedger::Entry> entries = ledger.entries(kReferenceWavelength);
+    if (options.csv.empty() && options.json.empty())
+      printTable(entries, cloud, options.top > 0 ? options.top : PathsOptions::kUsualTop);
+    if (options.top > 0 && entries.size() > static_cast<std::size_t>(options.top))
+      entries.resize(static_cast<std::size_t>(options.top));
+    if (!options.csv.empty()) writeText(outputs.at(options.csv), csvOf(entries, cloud));
+    if (!options.json.empty()) writeJson(outputs.at(options.json), jsonOf(entries, cloud, ledger, traced.report.rays));
+  }
+  outputs.commit();
+  return exit;
+}
+
+}  // namespace
+
+void addPaths(CLI::App& app, int& exit) {
+  auto options = std::make_shared<PathsOptions>();
+  CLI::App* command = app.add_subcommand(
+      "paths", "Which raypaths make the light: of the whole sky or of a part of it, most light first, with their names");
+  options->run.addTo(*command, false);
+  CLI::Option* at = command->add_option("--at", options->at, "Only light from about this place of the sky, degrees")
+                        ->type_name("AZ,EL")
+                        ->check(CLI::Validator(validDirection, ""));
+  command->add_option("--radius", options->radius, "How far about it, degrees; 1 when left out")
+      ->type_name("R")
+      ->transform(number(0.001, 180.0));
+  command->add_option("--layer", options->layer, "Only light of this layer of the scene, or of the rest")
+      ->type_name("NAME");
+  command->add_option("--symmetry", options->symmetry, "Which paths count as one: up to the crystal's symmetry, up to "
+                                                       "that which leaves its orientations alone, or none")
+      ->type_name("crystal|orientation|none")
+      ->check(nameOfOne<PathSymmetry>());
+  command->add_option("--top", options->top, "Only so many paths; 20 on the terminal and all in files when left out")
+      ->type_name("N")
+      ->transform(wholeNumber(1, 1'000'000));
+  command->add_option("--csv", options->csv, "The table as CSV; - for stdout")->type_name("FILE");
+  command->add_option("--json", options->json, "The same as JSON; - for stdout")->type_name("FILE");
+  command
+      ->add_option("--ray-for", options->rayFor,
+                   "Print the index of a ray that lit this place of the sky, degrees, for replay --ray")
+      ->type_name("AZ,EL")
+      ->check(CLI::Validator(validDirection, ""))
+      ->excludes(at);
+  command->callback([options, &exit] { exit = runPaths(*options); });
+}
+
+}  // namespace parhelion::cli
