@@ -35,7 +35,7 @@ std::span<const HaloPath> haloPaths() {
   static const std::vector<HaloPath> table{
       // The 60 degree wedges of prism faces.
       {"22° halo", "3-5", {random}, kGreenler},
-      {"parhelion", "3-5", {plate}, kGreenler},
+      {"parhelion", "3-5 | 3-2-1-5 | 3-1-2-5 | 3-2-1-2-1-5 | 3-1-2-1-2-5", {plate}, kGreenler},
       {"circumscribed halo", "3-5", {column}, kGreenler},
       {"upper tangent arc", "3-5", {column}, kGreenler},
       {"lower tangent arc", "3-5", {column}, kGreenler},
@@ -50,9 +50,9 @@ std::span<const HaloPath> haloPaths() {
       // Reflections.
       {"parhelic circle", "prism | 1-prism-2 | 1-prism-prism-prism-2", {plate}, kTape},
       {"120° parhelion", "1-3-4-2 | 1-3-5-2", {plate}, kTape},
-      {"subsun", "1 | 1-2-1", {plate}, kGreenler},
-      {"subparhelion", "3-2-5", {plate}, kTape},
-      {"sun pillar", "basal | 1-2-1 | 2-1-2", {plate}, kGreenler},
+      {"subsun", "1 | 1-2-1 | 3-2-6 | 3-2-1-2-6", {plate}, kGreenler},
+      {"subparhelion", "3-2-5 | 3-1-5 | 3-2-1-2-5 | 3-1-2-1-5", {plate}, kTape},
+      {"sun pillar", "basal | 1-2-1 | 2-1-2 | 3-2-6 | 3-1-6", {plate}, kGreenler},
       {"Wegener arc", "3-1-5", {column}, kTape},
       {"Hastings arc", "3-1-5, symmetry = crystal", {parry}, kTape},
       // Rings of pyramids, by the wedges of their least deviations.
