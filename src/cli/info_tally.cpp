@@ -17,14 +17,22 @@ namespace parhelion::cli {
 namespace {
 
 void printSky(const std::string& path) {
-  const Tally tally = readTallyExr(path);
+  const SkyTally tally = readSkyTallyExr(path);
   std::int64_t hits = 0;
-  for (int pixel = 0; pixel < tally.pixels(); ++pixel) hits += tally.hits(pixel);
+  for (const SkyTally::Part& part : tally.parts())
+    for (int pixel = 0; pixel < tally.pixels(); ++pixel) hits += part.tally.hits(pixel);
   answer("%s: tally of a sky, %d x %d%s", path.c_str(), tally.width(), tally.height(),
          tally.colours() == 1 ? ", luminance only" : "");
-  answer("symmetry: %s", std::string(nameOf(tally.info.symmetry)).c_str());
-  answer("intercepted: %.15g", tally.info.interceptedLight());
-  answer("undeviated: %.15g", tally.info.undeviated.value());
+  std::string symmetries;
+  for (const TallySymmetry one : tally.symmetries()) symmetries.append(symmetries.empty() ? "" : ", ").append(nameOf(one));
+  answer("symmetry: %s", symmetries.c_str());
+  if (!tally.layers().empty()) {
+    std::string layers;
+    for (const std::string& layer : tally.layers()) layers += (layers.empty() ? "" : ", ") + layer;
+    answer("layers: %s", layers.c_str());
+  }
+  answer("intercepted: %.15g", tally.info().interceptedLight());
+  answer("undeviated: %.15g", tally.info().undeviated.value());
   answer("hits: %lld", static_cast<long long>(hits));
 }
 

@@ -18,6 +18,7 @@
 #include "math/rotation.h"
 #include "render/traced_sky.h"
 #include "scene/suggest.h"
+#include "sky/sky_tally.h"
 #include "trace/path_ledger.h"
 
 namespace parhelion::cli {

@@ -24,6 +24,7 @@
 #include "recon/compare.h"
 #include "render/needs.h"
 #include "render/scene_attributes.h"
+#include "scene/suggest.h"
 #include "sky/confidence.h"
 
 namespace parhelion::cli {
@@ -33,14 +34,14 @@ namespace {
 struct ReconOptions {
   std::vector<std::string> tallies;
   std::string method;
-  std::vector<std::string> overrides, references;
+  std::vector<std::string> overrides, references, layers, gains;
   PictureOptions picture;
   std::string confidence, stats;
   std::string progress = "auto";  // "auto", "json"
   int threads = 0;
   bool json = false, quiet = false, overwrite = false;
 
-  LoadedScene load(const Tally& traced) const {
+  LoadedScene load(const SkyTally& traced) const {
     std::vector<std::string> all;
     const auto namesMethod = [](const std::string& o) {
       return o.starts_with("recon.method") || o.starts_with("recon=");
@@ -50,7 +51,7 @@ struct ReconOptions {
     // The settings of the scene's own method are none of another's.
     if (!method.empty()) all.push_back("recon={method='" + method + "'}");
     all.insert(all.end(), overrides.begin(), overrides.end());
-    return parseScene(traced.info.scene, "the scene in " + tallies.front(), all);
+    return parseScene(traced.info().scene, "the scene in " + tallies.front(), all);
   }
 };
 
@@ -69,7 +70,33 @@ struct ReconRun {
   double seconds = 0.0, cpuSeconds = 0.0;  // of the reconstruction alone
 };
 
-ReconRun timedReconstruction(const ReconOptions& options, const Tally& tally, const ReconSettings& settings) {
+/// The gains that options ask for. Throws Unfit for layers that the tally does not have.
+LayerGains gainsOf(const ReconOptions& options, const SkyTally& tally) {
+  std::vector<std::string_view> accepted(tally.layers().begin(), tally.layers().end());
+  const auto require = [&](const std::string& option, const std::string& name) {
+    if (std::ranges::find(accepted, name) != accepted.end()) return;
+    if (accepted.empty()) throw Unfit(option + ": the tally has no layers; a scene asks for them by [[layer]]");
+    const std::string hint = didYouMean(name, accepted);
+    throw Unfit(option + ": the tally has no layer '" + name + "'" + (hint.empty() ? "" : "; " + hint));
+  };
+  LayerGains gains;
+  if (!options.layers.empty()) {
+    for (const std::string& layer : tally.layers()) gains[layer] = 0.0;
+    for (const std::string& name : options.layers) {
+      require("--layers", name);
+      gains[name] = 1.0;
+    }
+  }
+  for (const std::string& text : options.gains) {
+    const std::size_t equals = text.rfind('=');
+    const std::string name = text.substr(0, equals);
+    require("--gain", name);
+    gains[name] = numbersIn(text.substr(equals + 1), "").front();
+  }
+  return gains;
+}
+
+ReconRun timedReconstruction(const ReconOptions& options, const SkyTally& tally, const ReconSettings& settings) {
   using Clock = std::chrono::steady_clock;
   Progress progress(progressStyle(options.quiet, options.progress), Progress::kOfReconstruction);
   const double cpuBefore = processUsage().cpuSeconds;
@@ -80,7 +107,8 @@ ReconRun timedReconstruction(const ReconOptions& options, const Tally& tally, co
     const double seconds = elapsed();
     progress.update(share, seconds, [&](Progress::Style style) { return progressLine(style, share, seconds); });
   };
-  ReconRun run{withThreads(options.threads, [&] { return reconstruct(tally, settings, watch); })};
+  const LayerGains gains = gainsOf(options, tally);
+  ReconRun run{withThreads(options.threads, [&] { return reconstruct(tally, settings, gains, watch); })};
   run.seconds = elapsed();
   run.cpuSeconds = processUsage().cpuSeconds - cpuBefore;
   return run;
@@ -97,16 +125,16 @@ void requirePair(const std::string& a, const std::string& b, const Check& check)
 
 Tally readAlone(const std::string& path) {
   const TallyInputs input(std::vector{path});
-  return sumOfTallies(input.files());
+  return sumOfTallies(input.files()).flattened();
 }
 
 /// The tallies of --compare. Throws Unfit unless they can be compared with the sky of `tally`.
-std::vector<Tally> readReferences(const ReconOptions& options, const Tally& tally) {
+std::vector<Tally> readReferences(const ReconOptions& options, const SkyTally& tally) {
   const std::vector<std::string>& paths = options.references;
   std::vector<Tally> references;
   for (const std::string& path : paths) {
     references.push_back(readAlone(path));
-    requirePair(options.tallies.front(), path, [&] { requireReferencePair(tally.info, references.back().info); });
+    requirePair(options.tallies.front(), path, [&] { requireReferencePair(tally.info(), references.back().info); });
   }
   if (references.size() == 2)
     requirePair(paths[0], paths[1], [&] { requireReferencePair(references[0].info, references[1].info); });
@@ -156,10 +184,11 @@ void printComparison(const ReconOptions& options, const ReconRun& run, const std
   writeText(outputs.at("-"), options.json ? table.dump() + "\n" : comparisonText(table));
 }
 
-void writeReconStats(const ReconOptions& options, const Tally& tally, std::string_view method, const ReconRun& run,
+void writeReconStats(const ReconOptions& options, const SkyTally& tally, std::string_view method, const ReconRun& run,
                      Transaction& outputs) {
   std::int64_t hits = 0;
-  for (int pixel = 0; pixel < tally.pixels(); ++pixel) hits += tally.hits(pixel);
+  for (const SkyTally::Part& part : tally.parts())
+    for (int pixel = 0; pixel < tally.pixels(); ++pixel) hits += part.tally.hits(pixel);
   nlohmann::ordered_json json;
   json["method"] = method;
   json["seconds"] = run.seconds;
@@ -167,7 +196,7 @@ void writeReconStats(const ReconOptions& options, const Tally& tally, std::strin
   json["threads"] = threadCount(options.threads);
   json["width"] = tally.width();
   json["height"] = tally.height();
-  json["rays"] = tally.info.rayCount();
+  json["rays"] = tally.info().rayCount();
   json["hits"] = hits;
   json["peak_memory_bytes"] = processUsage().peakMemory;
   json["remarks"] = run.sky.remarks;
@@ -187,7 +216,7 @@ int runRecon(const ReconOptions& options) {
   const TallyInputs inputs(options.tallies);
   const TallySet set = requireFitting(inputs);
   if (options.tallies.size() > 1) reportMissing(set, false, options.quiet);
-  const Tally tally = sumOfTallies(inputs.files());
+  const SkyTally tally = sumOfTallies(inputs.files());
   const LoadedScene loaded = options.load(tally);
   // A tally is an EXR, too: the picture's name must differ.
   const std::string& first = options.tallies.front();
@@ -205,7 +234,7 @@ int runRecon(const ReconOptions& options) {
   if (!options.stats.empty()) writeReconStats(options, tally, nameOf(loaded.scene.recon), run, outputs);
   printComparison(options, run, references, outputs);
   files.run = &outputs;
-  const WrittenSky written = writeSkyFiles(files, std::move(run.sky.image), tally.info, loaded);
+  const WrittenSky written = writeSkyFiles(files, std::move(run.sky.image), tally.info(), loaded);
   outputs.commit();
   if (!options.quiet) reportPicture(files, written, run.sky.remarks);
   return kDone;
@@ -215,6 +244,16 @@ int runRecon(const ReconOptions& options) {
 std::string validOverride(const std::string& text) {
   if (text.starts_with("recon.")) return {};
   return expectedNot("a key of recon, the rest being traced already", text);
+}
+
+/// For CLI11: a name and a number from 0.
+std::string validGain(const std::string& text) {
+  const std::size_t equals = text.rfind('=');
+  const std::vector<double> number =
+      equals == std::string::npos ? std::vector<double>{} : numbersIn(text.substr(equals + 1), "");
+  constexpr double kMostGain = 1e6;
+  if (equals != 0 && number.size() == 1 && number.front() >= 0.0 && number.front() <= kMostGain) return {};
+  return expectedNot("NAME=X with a number X from 0 to 1e6, for one plates=0.5", text);
 }
 
 void addOptions(CLI::App& command, ReconOptions& options) {
@@ -231,6 +270,15 @@ void addOptions(CLI::App& command, ReconOptions& options) {
       ->description("Override a key of recon, for one recon.method=none; may be repeated")
       ->check(CLI::Validator(validOverride, ""));
   options.picture.addTo(command);
+  command.add_option("--layers", options.layers, "Only these layers of the tally, with commas between them")
+      ->type_name("A,B")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  command
+      .add_option("--gain", options.gains, "How much a layer counts in the picture, 1 when left out; may be repeated")
+      ->type_name("NAME=X")
+      ->allow_extra_args(false)
+      ->check(CLI::Validator(validGain, ""));
   command
       .add_option("--compare", options.references,
                   "Print how far the sky is from the tally REF of many rays, or from two of different rays")

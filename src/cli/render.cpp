@@ -23,8 +23,8 @@ struct RenderOptions {
 /// The picture of a run's rays, which is made once also where its error is measured first.
 class Development {
  public:
-  Development(const Tally& tally, const LoadedScene& loaded, int threads)
-      : tally_(tally), loaded_(loaded), threads_(threads) {}
+  Development(SkySums& sums, const LoadedScene& loaded, int threads)
+      : sums_(sums), loaded_(loaded), threads_(threads) {}
 
   /// None if it was stopped.
   std::optional<double> error(const std::atomic<bool>& stop) {
@@ -35,22 +35,22 @@ class Development {
     } catch (const ReconStopped&) {
       return {};
     }
-    return pictureError(sky_->image, tally_);
+    return pictureError(sky_->image, sums_.tally().flattened());
   }
 
   ReconstructedSky take() {
-    if (!sky_ || rays_ != tally_.info.rayCount()) develop({});
+    if (!sky_ || rays_ != sums_.origin().rayCount()) develop({});
     return std::move(*sky_);
   }
 
  private:
   void develop(const Watch& watch) {
     sky_.reset();
-    sky_ = withThreads(threads_, [&] { return reconstruct(tally_, loaded_.scene.recon, watch); });
-    rays_ = tally_.info.rayCount();
+    sky_ = withThreads(threads_, [&] { return reconstruct(sums_.tally(), loaded_.scene.recon, {}, watch); });
+    rays_ = sums_.origin().rayCount();
   }
 
-  const Tally& tally_;
+  SkySums& sums_;
   const LoadedScene& loaded_;
   int threads_;
   std::optional<ReconstructedSky> sky_;
@@ -84,7 +84,7 @@ int runRender(const RenderOptions& options, Tracers& tracers) {
   // Also while the picture is made, so that a late Ctrl-C does not lose what was traced.
   const StopSignal stop;
   SkySums sums(loaded, cloud);
-  Development picture(sums.tally(), loaded, options.run.threads);
+  Development picture(sums, loaded, options.run.threads);
   LongRun run({tracers, options.run, options.longRun, cloud, settings, wanted, checkpoint,
                [&] { return picture.error(stop.requested()); }},
               sums, stop);
@@ -94,7 +94,7 @@ int runRender(const RenderOptions& options, Tracers& tracers) {
   if (run.endsWithoutPicture()) return run.exitCode();
   ReconstructedSky sky = picture.take();
   files.run = &outputs;
-  const WrittenSky written = writeSkyFiles(files, std::move(sky.image), sums.tally().info, loaded);
+  const WrittenSky written = writeSkyFiles(files, std::move(sky.image), sums.tally().info(), loaded);
   outputs.commit();
   if (!options.run.quiet) reportPicture(files, written, sky.remarks);
   return run.exitCode();

@@ -36,7 +36,7 @@ int runTrace(const TraceOptions& options, Tracers& tracers) {
   SkySums sums(loaded, cloud);
   const std::string checkpoint = isStream(output) ? "" : output;
   LongRun run({tracers, options.run, options.longRun, cloud, settings, wanted, checkpoint,
-               [&] { return std::optional(plainError(sums.tally())); }},
+               [&] { return std::optional(plainError(sums.tally().flattened())); }},
               sums, stop);
   run.trace();
   run.report(outputs);

@@ -2,6 +2,7 @@
 #include "recon/reconstruct.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "recon/methods.h"
@@ -78,7 +79,80 @@ ReconstructedSky byParts(const Tally& tally, const std::vector<PicturePart>& par
   return sky;
 }
 
+/// An image of a tally's size without light, with the channels of every reconstruction.
+Image darkOf(const SkyTally& tally) {
+  Image image{tally.width(), tally.height(), {}};
+  for (const char* name : {"R", "G", "B", kVarianceChannel}) image.add(name);
+  return image;
+}
+
+std::vector<float>& channelOf(Image& image, const std::string& name) {
+  if (!image.find(name)) image.add(name);
+  return std::ranges::find(image.channels, name, &Channel::name)->samples;
+}
+
+/// Adds `gain` times the samples of a channel, or `gain` squared times those of a variance.
+void addChannel(const std::vector<float>& samples, double gain, std::vector<float>& sum) {
+  for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += static_cast<float>(gain * static_cast<double>(samples[i]));
+}
+
+/// Biases of parts have nothing to do with each other.
+void addBias(const std::vector<float>& samples, double gain, std::vector<float>& sum) {
+  for (std::size_t i = 0; i < sum.size(); ++i)
+    sum[i] = static_cast<float>(std::hypot(static_cast<double>(sum[i]), gain * static_cast<double>(samples[i])));
+}
+
+/// Adds the picture of a part to that of all and to that of its layer.
+void addPart(const Image& part, double gain, const std::string& layer, Image& all) {
+  for (const Channel& channel : part.channels) {
+    if (channel.name == kVarianceChannel)
+      addChannel(channel.samples, gain * gain, channelOf(all, channel.name));
+    else if (channel.name == kBiasChannel)
+      addBias(channel.samples, gain, channelOf(all, channel.name));
+    else
+      addChannel(channel.samples, gain, channelOf(all, layer.empty() ? channel.name : layer + "." + channel.name));
+  }
+}
+
+/// R, G, B as the sums of all layers.
+void addLayers(const std::vector<std::string>& layers, Image& all) {
+  for (const char* colour : {"R", "G", "B"}) {
+    std::vector<double> sum(all.pixels(), 0.0);
+    for (const std::string& layer : layers)
+      if (const auto* samples = all.find(layer + "." + colour))
+        for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += static_cast<double>((*samples)[i]);
+    std::ranges::transform(sum, channelOf(all, colour).begin(), [](double x) { return static_cast<float>(x); });
+  }
+}
+
 }  // namespace
+
+ReconstructedSky reconstruct(const SkyTally& tally, const ReconSettings& settings, const LayerGains& gains,
+                             const Watch& watch) {
+  const std::vector<SkyTally::Part>& parts = tally.parts();
+  if (parts.size() == 1 && gains.empty()) return reconstruct(parts.front().tally, settings, watch);
+  ReconstructedSky sky{darkOf(tally), {}};
+  const double share = 1.0 / static_cast<double>(parts.size());
+  bool hasLight = false;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const auto found = gains.find(parts[i].layer);
+    const double gain = found == gains.end() ? 1.0 : found->second;
+    if (!parts[i].layer.empty())
+      for (const char* colour : {"R", "G", "B"}) channelOf(sky.image, parts[i].layer + "." + colour);
+    if (gain == 0.0 || isDark(parts[i].tally)) continue;
+    hasLight = true;
+    Watch own = watch;
+    own.onProgress = [&](double done) { watch.at((static_cast<double>(i) + done) * share); };
+    ReconstructedSky part = reconstruct(parts[i].tally, settings, own);
+    addPart(part.image, gain, parts[i].layer, sky.image);
+    for (std::string& remark : part.remarks)
+      if (std::ranges::find(sky.remarks, remark) == sky.remarks.end()) sky.remarks.push_back(std::move(remark));
+  }
+  if (!tally.layers().empty()) addLayers(tally.layers(), sky.image);
+  if (!hasLight) sky.remarks.emplace_back("no light in the sky: the picture is black");
+  watch.at(1.0);
+  return sky;
+}
 
 ReconstructedSky reconstructSky(const Tally& tally, const NoSettings&, const Watch&) {
   return {plainRadiance(tally), {}};

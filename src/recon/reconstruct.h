@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
 #include "picture/image.h"
 #include "recon/recon_settings.h"
 #include "recon/watch.h"
-#include "sky/tally.h"
+#include "sky/sky_tally.h"
 
 namespace parhelion {
 
@@ -25,5 +27,14 @@ struct ReconstructedSky {
 /// Turns scattered hits into an image of the sky. The type of the settings chooses the method. The same tally and
 /// settings give the same bits for any number of threads. Throws ReconStopped (recon/watch.h) if asked to stop.
 ReconstructedSky reconstruct(const Tally& tally, const ReconSettings& settings, const Watch& watch = {});
+
+/// How much each layer counts in a picture, by name; 1 where it is not named.
+using LayerGains = std::map<std::string, double, std::less<>>;
+
+/// Reconstructs each part of a tally by itself, with its own noise, and adds them. Of a tally with layers the picture
+/// has channels NAME.R, NAME.G, NAME.B for each, with its gain, whose sums are R, G, B; layers of gain 0 are left out.
+/// The noise of parts is taken as independent. Throws as reconstruct() does.
+ReconstructedSky reconstruct(const SkyTally& tally, const ReconSettings& settings, const LayerGains& gains = {},
+                             const Watch& watch = {});
 
 }  // namespace parhelion

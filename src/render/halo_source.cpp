@@ -63,7 +63,7 @@ HaloScene haloSceneFor(const PhotoCamera& camera, std::optional<int> coarseness,
 PhotoHalo haloOf(const TracedSky& traced, const HaloScene& scene, const PhotoCamera& camera, int threads) {
   const ReconstructedSky sky = developSky(traced, scene.coarse, threads);
   return {HaloLookup(sky.image, scene.camera, camera.camera),
-          sceneAttributes(scene.whole, traced.tally.info.rayCount())};
+          sceneAttributes(scene.whole, traced.tally.info().rayCount())};
 }
 
 double sunElevationIn(const std::filesystem::path& sky) {

@@ -15,19 +15,23 @@ class SkySums : public RunSums {
 
   Film& film() override;
   Measurement measurement() const override { return SkyMeasurement{}; }
-  TallyOrigin& origin() override { return tally_.info; }
+  TallyOrigin& origin() override { return tally_.info(); }
   TallyKind kind() const override { return TallyKind::sky; }
   void read(const std::filesystem::path& path) override;
   void write(const Output& file) const override;
   std::unique_ptr<RunSums> empty() const override { return std::make_unique<SkySums>(loaded_, cloud_); }
   void subtract(RunSums& other) override;
 
-  const Tally& tally() const { return tally_; }
+  /// With the rays that it holds noted in all parts.
+  const SkyTally& tally() {
+    tally_.shareOrigin();
+    return tally_;
+  }
 
  private:
   const LoadedScene& loaded_;
   const Cloud& cloud_;
-  Tally tally_;
+  SkyTally tally_;
   std::unique_ptr<Film> film_;
 };
 

@@ -27,7 +27,7 @@ std::optional<TraceReport> renderFrame(const SweepFrame& frame, const TraceContr
   const TracedSky traced = traceSky(frame.loaded, cloudOf(frame.loaded.scene), control);
   if (traced.report.interrupted) return std::nullopt;
   ReconstructedSky sky = developSky(traced, frame.loaded, control.threads);
-  writeSky(run.at(frame.exr), sky.image, traced.tally.info, frame.loaded, frame.gamut);
+  writeSky(run.at(frame.exr), sky.image, traced.tally.info(), frame.loaded, frame.gamut);
   run.commit();
   return traced.report;
 }

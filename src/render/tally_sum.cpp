@@ -144,9 +144,10 @@ TallySet fittingTallies(std::span<const TallyFile> files) {
   return set;
 }
 
-Tally sumOfTallies(std::span<const TallyFile> files) {
-  Tally sum = summed<Tally>(files, readTallyExr, [](Tally& all, const Tally& more) { all.addSums(more); });
-  if (sum.rings() && files.size() > 1) sum.spreadRings();
+SkyTally sumOfTallies(std::span<const TallyFile> files) {
+  SkyTally sum =
+      summed<SkyTally>(files, readSkyTallyExr, [](SkyTally& all, const SkyTally& more) { all.addSums(more); });
+  if (files.size() > 1) sum.spreadRings();
   return sum;
 }
 
@@ -154,7 +155,7 @@ void writeSumOfTallies(const Output& output, std::span<const TallyFile> files, T
   const auto add = [](auto& all, const auto& more) { mergeTally(all, more); };
   switch (kind) {
     case TallyKind::sky:
-      return writeTallyExr(output, sumOfTallies(files));
+      return writeSkyTallyExr(output, sumOfTallies(files));
     case TallyKind::map:
       return writeTally(output, summed<MapTally>(files, readMapTally, add));
     case TallyKind::profile:

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "picture/transaction.h"
-#include "sky/tally.h"
+#include "sky/sky_tally.h"
 #include "sky/tally_kind.h"
 
 namespace parhelion {
@@ -37,7 +37,7 @@ TallySet fittingTallies(std::span<const TallyFile> files);
 
 /// The sums of all files, which must fit. It never holds more than two of them. Throws std::runtime_error
 /// "name: reason", also where a sum would overflow.
-Tally sumOfTallies(std::span<const TallyFile> files);
+SkyTally sumOfTallies(std::span<const TallyFile> files);
 
 /// Writes the sum of all files, of whatever kind. Throws as sumOfTallies() does.
 void writeSumOfTallies(const Output& output, std::span<const TallyFile> files, TallyKind kind);

@@ -17,21 +17,22 @@ TraceSettings chosenSettings(const Cloud& cloud, const TraceSettings& asked) {
   return chosen;
 }
 
-Tally emptyTally(const LoadedScene& loaded, const Cloud& cloud) {
+SkyTally emptyTally(const LoadedScene& loaded, const Cloud& cloud) {
   const Scene& scene = loaded.scene;
   const TraceSettings chosen = chosenSettings(cloud, scene.trace);
   TallyInfo info;
   info.sceneHash = hashOf(talliedKeys(scene, chosen));
   info.numerics = kNumericsVersion;
   info.seed = chosen.seed;
-  info.symmetry = countingOf(chosen.symmetry);
   info.white = cloud.spectrum().white();
   info.sunElevation = scene.sun.elevation;
   info.sunDiameter = scene.sun.diameter;
   info.camera = scene.camera;
   info.scene = loaded.text;
   info.version = PARHELION_VERSION;
-  return Tally(info, cloud.spectrum().colours());
+  std::vector<std::string> layers;
+  for (const LayerSettings& layer : chosen.paths.layers) layers.push_back(layer.name);
+  return SkyTally(info, cloud.spectrum().colours(), different(symmetriesOf(cloud, chosen.symmetry)), layers);
 }
 
 TracedSky traceSky(const LoadedScene& loaded, const Cloud& cloud, const TraceControl& control) {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "scene/parse_scene.h"
-#include "sky/tally.h"
+#include "sky/sky_tally.h"
 #include "trace/cloud.h"
 #include "trace/trace.h"
 
@@ -23,12 +23,12 @@ struct TracedScene {
 
 /// A scene traced into the tally of its camera.
 struct TracedSky : TracedScene {
-  Tally tally;
+  SkyTally tally;
 };
 
 /// A tally of a scene's camera with all that is known before its rays are traced by this version of the program.
 /// `cloud` is the scene's.
-Tally emptyTally(const LoadedScene& loaded, const Cloud& cloud);
+SkyTally emptyTally(const LoadedScene& loaded, const Cloud& cloud);
 
 /// Traces a scene into the tally of its camera, with all that the tally's info says filled in. `cloud` is the scene's.
 /// Where the control stops the run, the tally is that of the rays traced until then. The same bits for any number of

@@ -7,6 +7,7 @@
 #include "scene/layer_checks.h"
 #include "scene/scene_keys.h"
 #include "scene/utf8.h"
+#include "sky/sky_tally.h"
 
 namespace parhelion {
 

@@ -5,9 +5,9 @@
 
 namespace parhelion {
 
-DepositBuffer::DepositBuffer(Tally& tally, std::shared_ptr<Locks> locks)
-    : tally_(tally), locks_(std::move(locks)), bands_(Locks::kBands) {
-  while ((tally.pixels() - 1) >> bandShift_ >= Locks::kBands) ++bandShift_;
+DepositBuffer::DepositBuffer(std::vector<Tally*> layers, Tally* shared, std::shared_ptr<Locks> locks)
+    : layers_(std::move(layers)), shared_(shared), locks_(std::move(locks)), bands_(Locks::kBands) {
+  while ((layers_.front()->pixels() - 1) >> bandShift_ >= Locks::kBands) ++bandShift_;
 }
 
 void DepositBuffer::flush() {
@@ -17,12 +17,19 @@ void DepositBuffer::flush() {
 void DepositBuffer::flush(int band) {
   // Some dozen loads may be under way at a time.
   constexpr int kAhead = 12;
-  Band& b = bands_[band];
-  const std::scoped_lock lock(locks_->bands_[band]);
+  Band& b = bands_[static_cast<std::size_t>(band)];
+  const auto tallyOf = [this](const Deposit& d) -> Tally& { return d.layer == kShared ? *shared_ : *layers_[d.layer]; };
+  const std::scoped_lock lock(locks_->bands_[static_cast<std::size_t>(band)]);
   for (int i = 0; i < b.count; ++i) {
-    if (i + kAhead < b.count) tally_.prefetch(b.deposits[i + kAhead].pixel);
-    const Deposit& d = b.deposits[i];
-    tally_.addExclusively(d.pixel, d.xyz, d.firstHalf);
+    if (i + kAhead < b.count) {
+      const Deposit& ahead = b.deposits[static_cast<std::size_t>(i + kAhead)];
+      tallyOf(ahead).prefetch(ahead.pixel);
+    }
+    const Deposit& d = b.deposits[static_cast<std::size_t>(i)];
+    if (d.layer == kShared)
+      shared_->addShared(d.pixel, d.light.y, d.light.x);
+    else
+      layers_[static_cast<std::size_t>(d.layer)]->addExclusively(d.pixel, d.light, d.firstHalf);
   }
   b.count = 0;
 }

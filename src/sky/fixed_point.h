@@ -46,6 +46,32 @@ inline void addFixed(std::int64_t& sum, std::int64_t amount) {
   if (__builtin_add_overflow(sum, amount, &sum)) rejectLight();
 }
 
+/// Light in units of kWeightScale, X and Z over the white's: what one exit, or all exits of a bundle, bring to a place.
+/// Exits are rounded one by one, so that it does not matter how they are told apart.
+struct FixedLight {
+  std::int64_t x = 0, y = 0, z = 0;
+
+  FixedLight& operator+=(const FixedLight& more) {
+    addFixed(x, more.x);
+    addFixed(y, more.y);
+    addFixed(z, more.z);
+    return *this;
+  }
+  bool operator==(const FixedLight&) const = default;
+
+  /// The square of the luminance, in units of kSquareScale.
+  std::int64_t squared() const {
+    const double luminance = static_cast<double>(y) / kWeightScale;
+    return toFixed(luminance * luminance, kSquareScale);
+  }
+};
+
+/// Light in CIE XYZ; `perWhite` is 1 over the white's.
+template <class Vector>
+FixedLight toFixedLight(const Vector& xyz, const Vector& perWhite) {
+  return {toFixed(xyz.x * perWhite.x), toFixed(xyz.y), toFixed(xyz.z * perWhite.z)};
+}
+
 inline double fromFixed(std::int64_t sum, double scale = kWeightScale) { return static_cast<double>(sum) / scale; }
 
 }  // namespace parhelion

@@ -56,16 +56,23 @@ class RadialSky {
   /// Adds the light (CIE XYZ) of one bundle to a ring; `firstHalf` is as in Tally::add(). Not for several threads at
   /// once: each thread has a sky of its own, and these are merged. Throws std::overflow_error, as merge() does, where a
   /// ring cannot hold the light.
-  void add(int bin, const Vec3& xyz, bool firstHalf) {
+  void add(int bin, const Vec3& xyz, bool firstHalf) { add(bin, toFixedLight(xyz, perWhite_), firstHalf); }
+  void add(int bin, const FixedLight& light, bool firstHalf) {
     SumLine& ring = rings_[static_cast<std::size_t>(bin)];
-    const std::int64_t luminance = toFixed(xyz.y);
-    addFixed(ring.place[TallySlots::kY], luminance);
-    addFixed(ring.place[TallySlots::kSquares], toFixed(xyz.y * xyz.y, kSquareScale));
+    addFixed(ring.place[TallySlots::kY], light.y);
+    addFixed(ring.place[TallySlots::kSquares], light.squared());
     ring.place[TallySlots::kHits] += 1;
-    if (firstHalf) addFixed(ring.place[TallySlots::kFirstHalf], luminance);
+    if (firstHalf) addFixed(ring.place[TallySlots::kFirstHalf], light.y);
     if (colours_ == 1) return;
-    addFixed(ring.place[TallySlots::kX], toFixed(xyz.x * perWhite_.x));
-    addFixed(ring.place[TallySlots::kZ], toFixed(xyz.z * perWhite_.z));
+    addFixed(ring.place[TallySlots::kX], light.x);
+    addFixed(ring.place[TallySlots::kZ], light.z);
+  }
+
+  /// For rings that are those of SkyTally::Shared.
+  void addShared(int bin, std::int64_t squares, std::int64_t hits) {
+    SumLine& ring = rings_[static_cast<std::size_t>(bin)];
+    addFixed(ring.place[TallySlots::kSquares], squares);
+    addFixed(ring.place[TallySlots::kHits], hits);
   }
 
   /// Adds the light of another sky. Where it throws, it changes nothing: std::invalid_argument if centre, rings or

@@ -98,6 +98,34 @@ void Tally::merge(const Tally& other) {
 }
 
 void Tally::subtract(const Tally& other) {
+  subtractSums(other);
+  if (rings_) spreadRings();
+}
+
+void Tally::addPlaces(const Tally& other) {
+  if (const std::string objection = objectionTo(other); !objection.empty())
+    throw std::invalid_argument("tally: " + objection);
+  if (rings_)
+    rings_ = ringsWith(other);
+  else
+    addLines(lines_, other.lines_);
+}
+
+void Tally::takeAsOne(const Tally& shared) {
+  if (rings_) {
+    for (int bin = 0; bin < rings_->bins(); ++bin) {
+      rings_->setRaw(bin, kSquares, rings_->raw(bin, kSquares) + shared.rings_->raw(bin, kSquares));
+      rings_->setRaw(bin, kHits, rings_->raw(bin, kHits) - shared.rings_->raw(bin, kHits));
+    }
+    return;
+  }
+  for (int pixel = 0; pixel < pixels(); ++pixel) {
+    setRaw(pixel, kSquares, raw(pixel, kSquares) + shared.raw(pixel, kSquares));
+    setRaw(pixel, kHits, raw(pixel, kHits) - shared.raw(pixel, kHits));
+  }
+}
+
+void Tally::subtractSums(const Tally& other) {
   std::string objection = objectionTo(other);
   TallyInfo rest = info;
   rest.rays = raysWithout(info.rays, other.info.rays);
@@ -106,12 +134,10 @@ void Tally::subtract(const Tally& other) {
     objection = wordsFor(raysWithout(other.info.rays, info.rays)) + " are not in it";
   if (!objection.empty()) throw std::invalid_argument("tally: " + objection);
   combineTotals(rest, other.info, [](auto& total, const auto& less) { total.subtract(less); });
-  if (rings_) {
+  if (rings_)
     rings_->subtract(*other.rings_);
-    spreadRings();
-  } else {
+  else
     subtractLines(lines_, other.lines_);
-  }
   info = std::move(rest);
 }
 

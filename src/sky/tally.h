@@ -47,7 +47,7 @@ class Tally : public TallySlots {
   ///
   /// Throws std::overflow_error where the pixel cannot hold it.
   void add(int pixel, const Vec3& xyz, bool firstHalf) {
-    deposit(pixel, xyz, firstHalf, [](std::int64_t& sum, std::int64_t amount) {
+    deposit(pixel, toFixedLight(xyz, perWhite_), firstHalf, [](std::int64_t& sum, std::int64_t amount) {
       std::int64_t before = std::atomic_ref<std::int64_t>(sum).fetch_add(amount, std::memory_order_relaxed);
       addFixed(before, amount);
     });
@@ -55,7 +55,19 @@ class Tally : public TallySlots {
 
   /// Does the same, several times faster. The caller must see to it that nobody else adds to the pixel at the same
   /// time.
-  void addExclusively(int pixel, const Vec3& xyz, bool firstHalf) { deposit(pixel, xyz, firstHalf, addFixed); }
+  void addExclusively(int pixel, const Vec3& xyz, bool firstHalf) {
+    addExclusively(pixel, toFixedLight(xyz, perWhite_), firstHalf);
+  }
+  void addExclusively(int pixel, const FixedLight& light, bool firstHalf) {
+    deposit(pixel, light, firstHalf, addFixed);
+  }
+
+  /// For a tally that is SkyTally::Shared.
+  void addShared(int pixel, std::int64_t squares, std::int64_t hits) {
+    std::int64_t* sums = &at(static_cast<std::size_t>(pixel) * stride_);
+    addFixed(sums[kSquares], squares);
+    addFixed(sums[kHits], hits);
+  }
 
   /// Tells the processor to fetch a pixel into the cache, because light will be added to it soon.
   void prefetch(int pixel) const { __builtin_prefetch(&at(static_cast<std::size_t>(pixel) * stride_), 1); }
@@ -95,6 +107,16 @@ class Tally : public TallySlots {
   /// Throws std::invalid_argument, and changes nothing, unless all rays of `other` are in it and both are of the same
   /// scene.
   void subtract(const Tally& other);
+
+  /// Does the same, but leaves the pixels of a radial sky as they were, as addSums() does.
+  void subtractSums(const Tally& other);
+
+  /// Adds the places of another tally of the same rays, all but the totals and the rays: for `sums` of what is told
+  /// apart. Hits and squares are added as they are. Throws std::overflow_error where one does not fit.
+  void addPlaces(const Tally& other);
+
+  /// Makes one deposit of several, as `shared` says; see SkyTally::Shared.
+  void takeAsOne(const Tally& shared);
 
   bool operator==(const Tally& other) const;
 
@@ -136,16 +158,15 @@ class Tally : public TallySlots {
   const std::int64_t& at(std::size_t i) const { return lines_[i / 8].place[i % 8]; }
 
   template <class AddTo>
-  void deposit(int pixel, const Vec3& xyz, bool firstHalf, AddTo addTo) {
+  void deposit(int pixel, const FixedLight& light, bool firstHalf, AddTo addTo) {
     std::int64_t* sums = &at(static_cast<std::size_t>(pixel) * stride_);
-    const std::int64_t luminance = toFixed(xyz.y);
-    addTo(sums[kY], luminance);
-    addTo(sums[kSquares], toFixed(xyz.y * xyz.y, kSquareScale));
+    addTo(sums[kY], light.y);
+    addTo(sums[kSquares], light.squared());
     addTo(sums[kHits], 1);
-    if (firstHalf) addTo(sums[kFirstHalf], luminance);
+    if (firstHalf) addTo(sums[kFirstHalf], light.y);
     if (colours_ == 1) return;
-    addTo(sums[kX], toFixed(xyz.x * perWhite_.x));
-    addTo(sums[kZ], toFixed(xyz.z * perWhite_.z));
+    addTo(sums[kX], light.x);
+    addTo(sums[kZ], light.z);
   }
 
   int width_, height_, colours_;

@@ -86,8 +86,10 @@ class SumRules {
   /// Of n numbers that are not negative the sum of squares S and the sum Y have S <= Y^2 <= n S.
   void requireSquares(const Line& sums, const auto& place) const {
     const double hits = sums[Slot::kHits], squares = sums[Slot::kSquares], light = sums[Slot::kY];
-    // A deposit's light and square are rounded by half a unit; where it became its own mirror image, by 1 and 2.
-    const double off = hits * images_ * 0.5 / kWeightScale, offSquares = hits * images_ * images_ * 0.5 / kSquareScale;
+    // A deposit's light and square are rounded by half a unit; where it became its own mirror image, by 1 and 2. The
+    // light is that of several exits, each rounded.
+    constexpr double kExits = 16.0;
+    const double off = hits * images_ * 0.5 * kExits / kWeightScale, offSquares = hits * images_ * images_ * 0.5 / kSquareScale;
     const double most = (light + off) * (light + off) + offSquares;
     const double least = std::pow(std::max(0.0, light - off), 2) / std::max(1.0, hits) - offSquares;
     if (squares > most * (1.0 + kRounding))
@@ -163,7 +165,20 @@ void requirePlausibleTotals(const TallyInfo& info) {
   }
 }
 
+template <class Raw>
+void requireShared(int places, const Raw& raw) {
+  for (int place = 0; place < places; ++place)
+    if (raw(place, TallySlots::kSquares) < 0 || raw(place, TallySlots::kHits) < 0)
+      reject("what layers share at place " + std::to_string(place) + " is below 0", "0 or more");
+}
+
 }  // namespace
+
+void requirePlausibleShared(const Tally& shared) {
+  requireShared(shared.pixels(), [&](int pixel, int slot) { return shared.raw(pixel, slot); });
+  if (shared.rings())
+    requireShared(shared.rings()->bins(), [&](int bin, int slot) { return shared.rings()->raw(bin, slot); });
+}
 
 void requirePlausible(const Tally& tally) {
   requirePlausibleTotals(tally.info);

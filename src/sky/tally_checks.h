@@ -10,4 +10,7 @@ namespace parhelion {
 /// A file whose checksums fit may still hold such sums, if another program has made it.
 void requirePlausible(const Tally& tally);
 
+/// The same for SkyTally::Shared.
+void requirePlausibleShared(const Tally& shared);
+
 }  // namespace parhelion

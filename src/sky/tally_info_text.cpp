@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sky/tally_info_text.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <limits>
@@ -104,14 +105,43 @@ ExrAttributes textFromInfo(const TallyInfo& info) {
   return plain;
 }
 
+std::string textFromSymmetries(const std::vector<TallySymmetry>& symmetries) {
+  std::string text;
+  for (const TallySymmetry symmetry : symmetries) text.append(text.empty() ? "" : " ").append(nameOf(symmetry));
+  return text;
+}
+
+std::vector<TallySymmetry> symmetriesFromText(const ExrAttributes& attributes) {
+  const AttributeReader reader(attributes);
+  const auto reject = [&reader] { reader.reject("symmetry", "none, mirror or radial, or several of them in this order"); };
+  if (!reader.has("symmetry")) reject();
+  std::string_view text = reader.text("symmetry");
+  std::vector<TallySymmetry> symmetries;
+  while (true) {
+    const std::size_t end = std::min(text.find(' '), text.size());
+    const auto symmetry = memberNamed<TallySymmetry>(text.substr(0, end));
+    if (!symmetry || (!symmetries.empty() && symmetries.back() >= *symmetry)) reject();
+    symmetries.push_back(*symmetry);
+    if (end == text.size()) return symmetries;
+    text.remove_prefix(end + 1);
+  }
+}
+
+std::vector<std::string> layersFromText(const ExrAttributes& attributes) {
+  const AttributeReader reader(attributes);
+  std::vector<std::string> layers;
+  for (std::size_t i = 0; reader.has(layerKey(i)); ++i) layers.emplace_back(reader.text(layerKey(i)));
+  return layers;
+}
+
+std::string layerKey(std::size_t layer) { return "layer." + std::to_string(layer); }
+
 TallyInfo infoFromText(const ExrAttributes& attributes) {
   constexpr double kBrightestWhite = 1e6;  // X or Z over Y; beyond those of all single wavelengths
   const AttributeReader reader(attributes);
   TallyInfo info;
   static_cast<TallyOrigin&>(info) = originFromText(reader);
-  const auto symmetry = reader.has("symmetry") ? memberNamed<TallySymmetry>(reader.text("symmetry")) : std::nullopt;
-  if (!symmetry) reader.reject("symmetry", "none, mirror or radial");
-  info.symmetry = *symmetry;
+  info.symmetry = symmetriesFromText(attributes).front();
   info.intercepted = totalIn(reader, "intercepted");
   info.undeviated = totalIn(reader, "undeviated");
   for (int k = 0; k < 3; ++k) {

@@ -17,12 +17,15 @@ void InterceptedLight::add(const TracedRays& traced) {
       undeviated_.addUnits(toFixed(exits.energy[exit] * queue.light[static_cast<int>(exits.ray[exit])].light));
 }
 
-void InterceptedLight::moveTo(TallyInfo& info) {
+void InterceptedLight::addTo(TallyInfo& info) const {
   for (int image = 0; image < info.images(); ++image) {
     info.intercepted.merge(intercepted_);
     info.undeviated.merge(undeviated_);
     for (int k = 0; k < 3; ++k) info.interceptedXyz[k].merge(xyz_[k]);
   }
+}
+
+void InterceptedLight::clear() {
   intercepted_ = undeviated_ = {};
   xyz_ = {};
 }

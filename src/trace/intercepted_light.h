@@ -13,8 +13,9 @@ class InterceptedLight {
 
   void add(const TracedRays& traced);
 
-  /// Adds it to a tally's totals, as many times as a ray counts there. Nothing is left here.
-  void moveTo(TallyInfo& info);
+  /// Adds it to a tally's totals, as many times as a ray counts there.
+  void addTo(TallyInfo& info) const;
+  void clear();
 
  private:
   Vec3 perWhite_;

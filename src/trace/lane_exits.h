@@ -35,7 +35,7 @@ void see(const Camera& camera, bool mirrored, const ExitList& exits, SeenLight& 
     const Mask real = below(i, exits.count) & (load<Real>(&exits.undeviated[i]) == 0.0);
     const Compress<Real> inside(place.inside & real);
     inside.store(&seen.pixel[seen.count], wholePart(place.y) * lens.width + wholePart(place.x));
-    inside.store(&seen.energy[seen.count], load<Real>(&exits.energy[i]));
+    inside.store(&seen.exit[seen.count], counting() + static_cast<double>(i));
     inside.store(&seen.ray[seen.count], load<Real>(&exits.ray[i]));
     seen.count += inside.count();
   }

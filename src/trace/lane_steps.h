@@ -38,8 +38,8 @@ struct EnergyUnits {
 /// Light in pixels of a picture, as arrays with room for all there is to be seen and kSpare more.
 struct SeenLight {
   int count = 0;
-  AlignedVector<double> pixel;  // row-major
-  AlignedVector<double> energy, ray;
+  AlignedVector<double> pixel;      // row-major
+  AlignedVector<double> exit, ray;  // whose light it is: index into the list of exits, and RayQueue::ray()
 };
 
 /// The steps that are taken by many rays at a time, compiled once for each set of vector registers.

@@ -3,7 +3,6 @@
 
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "crystal/raypath/path_pattern.h"
@@ -21,9 +20,6 @@ struct LayerSettings {
   std::vector<std::string> populations;  // by name; empty: all
   std::optional<TiltRange> tilt;
 };
-
-/// What is in no layer.
-inline constexpr std::string_view kRestLayer = "rest";
 
 /// The most layers of a run: each is a bit of a word.
 inline constexpr std::size_t kMostLayers = 64;

@@ -3,43 +3,47 @@
 
 #include <memory>
 #include <utility>
+#include <vector>
 
 #include "sky/tally.h"
-#include "trace/bundle_bins.h"
 #include "trace/film.h"
-#include "trace/intercepted_light.h"
+#include "trace/layered_deposits.h"
 
 namespace parhelion {
 
-/// Exposes rings about the sun's centre, for clouds in random orientation: every ray counts for whole rings of the sky.
-/// Undeviated light is in no ring.
+/// Exposes rings about the sun's centre, for crystals in random orientation: every ray counts for whole rings of the
+/// sky. There are rings for each layer. Undeviated light is in no ring. Totals of light are not kept here
+/// (trace/intercepted_light.h).
 class RadialFilm : public Film {
  public:
-  /// `tally` must outlive the film and stay where it is. The sun's centre is toward `toSun` (unit, world).
-  RadialFilm(Tally& tally, const Vec3& toSun) : tally_(tally), sky_(tally.makeRings(toSun)) {}
+  /// The tallies must outlive the film and stay where they are. The sun's centre is toward `toSun` (unit, world).
+  /// `shared` is SkyTally::Shared, null for a single layer.
+  RadialFilm(std::vector<Tally*> layers, Tally* shared, const Vec3& toSun);
 
   int add(const TracedRays& traced) override;
-  std::unique_ptr<Film> forThread() override {
-    return std::unique_ptr<RadialFilm>(
-        new RadialFilm(tally_, std::make_unique<RadialSky>(tally_.info, sky_.toCentre(), tally_.colours())));
-  }
+  std::unique_ptr<Film> forThread() override { return std::unique_ptr<RadialFilm>(new RadialFilm(*this, ForThread{})); }
   void merge(Film& fromThread) override;
   void visitSums(SumVisitor& visitor) override;
 
-  /// Spreads the rings over the tally's pixels, in the place of what was there.
-  void finish() override { sky_.spreadOver(tally_); }
-  double fullness() const override { return tally_.fullness(); }
+  /// Spreads the rings over the tallies' pixels, in the place of what was there.
+  void finish() override;
+  double fullness() const override;
 
  private:
+  struct ForThread {};
   /// A thread has rings of its own.
-  RadialFilm(Tally& tally, std::unique_ptr<RadialSky> own) : tally_(tally), own_(std::move(own)), sky_(*own_) {}
+  RadialFilm(const RadialFilm& whole, ForThread);
 
-  Tally& tally_;
-  std::unique_ptr<RadialSky> own_;  // none: the rings are the tally's
-  RadialSky& sky_;
-  BundleDeposits<Vec3> deposits_;
+  /// Of layers, and shared ones if there are some.
+  std::vector<RadialSky*> all() const;
+
+  std::vector<Tally*> layers_;
+  Tally* shared_;
+  std::vector<std::unique_ptr<RadialSky>> own_;  // none: the rings are the tallies'
+  std::vector<RadialSky*> skies_;                // by layer
+  RadialSky* sharedSky_ = nullptr;
+  LayeredDeposits deposits_;
   ByBundle byBundle_;
-  InterceptedLight intercepted_{tally_};
 };
 
 }  // namespace parhelion

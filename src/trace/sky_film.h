@@ -4,50 +4,55 @@
 #include "sky/camera.h"
 #include "sky/deposit_buffer.h"
 #include "sky/tally.h"
-#include "trace/bundle_bins.h"
 #include "trace/film.h"
-#include "trace/intercepted_light.h"
+#include "trace/layered_deposits.h"
 
 namespace parhelion {
 
-/// Exposes a tally through a camera. All threads share one tally, to which each adds by a buffer of its own: complete
-/// once all are merged and finish() has made up for mirror images. Undeviated light is counted in the tally's info and
-/// lands in no pixel.
+/// Exposes tallies through a camera, one for each layer. All threads share them and add by a buffer of their own: the
+/// tallies are complete once all are merged and finish() has made up for mirror images. Undeviated light lands in no
+/// pixel. Totals of light are not kept here (trace/intercepted_light.h).
 class SkyFilm : public Film {
  public:
-  /// `tally` must outlive the film; its info's camera is the one looked through. Where its symmetry is `mirror`, every
-  /// ray counts as its mirror image in the sun's vertical plane, too: for clouds that are their own mirror images.
-  explicit SkyFilm(Tally& tally) : SkyFilm(tally, std::make_shared<DepositBuffer::Locks>()) {}
+  /// The tallies must outlive the film; all have the camera that is looked through. Where their symmetry is `mirror`,
+  /// every ray counts as its mirror image in the sun's vertical plane, too: for clouds that are their own mirror images.
+  /// `shared` is SkyTally::Shared, null for a single layer.
+  SkyFilm(std::vector<Tally*> layers, Tally* shared)
+      : SkyFilm(std::move(layers), shared, std::make_shared<DepositBuffer::Locks>()) {}
 
   int add(const TracedRays& traced) override;
-  std::unique_ptr<Film> forThread() override { return std::unique_ptr<SkyFilm>(new SkyFilm(tally_, locks_)); }
+  std::unique_ptr<Film> forThread() override {
+    return std::unique_ptr<SkyFilm>(new SkyFilm(layers_, shared_, locks_));
+  }
   void merge(Film& fromThread) override;
   void visitSums(SumVisitor& visitor) override;
   void finish() override;
   void reopen() override;
-  double fullness() const override { return tally_.fullness(); }
+  double fullness() const override;
 
  private:
+  SkyFilm(std::vector<Tally*> layers, Tally* shared, std::shared_ptr<DepositBuffer::Locks> locks);
+
   /// Through a camera that is its own mirror image, the finished picture makes up for a second view of every exit.
   bool foldsPicture() const { return mirrored_ && camera_.isMirrorSymmetric(); }
-  SkyFilm(Tally& tally, std::shared_ptr<DepositBuffer::Locks> locks)
-      : tally_(tally),
-        mirrored_(tally.info.symmetry == TallySymmetry::mirror),
-        camera_(tally.info.camera),
-        locks_(std::move(locks)),
-        buffer_(tally, locks_),
-        folded_(foldsPicture() && !tally.info.rays.empty()) {}
 
-  Tally& tally_;
+  /// The tallies of all layers, and the shared one if there is one.
+  template <class Do>
+  void forAll(const Do& act) const {
+    for (Tally* tally : layers_) act(*tally);
+    if (shared_) act(*shared_);
+  }
+
+  std::vector<Tally*> layers_;
+  Tally* shared_;
   bool mirrored_;
   Camera camera_;
   std::shared_ptr<DepositBuffer::Locks> locks_;
   DepositBuffer buffer_;
-  BundleDeposits<Vec3> deposits_;
+  LayeredDeposits deposits_;
   ByBundle byBundle_;
   SeenLight seen_;
-  InterceptedLight intercepted_{tally_};
-  bool folded_;  // the tally's picture, by finish(), until reopen()
+  bool folded_;  // the tallies' pictures, by finish(), until reopen()
 };
 
 }  // namespace parhelion

@@ -44,7 +44,9 @@ TEST_CASE("deposits that threads gather in buffers make the tally that single de
         deposit(single, t, [&](int pixel, const Vec3& xyz, bool half) { single.add(pixel, xyz, half); });
         threads.emplace_back([&gathered, &locks, t] {
           DepositBuffer buffer(gathered, locks);
-          deposit(gathered, t, [&](int pixel, const Vec3& xyz, bool half) { buffer.add(pixel, xyz, half); });
+          deposit(gathered, t, [&](int pixel, const Vec3& xyz, bool half) {
+            buffer.add(pixel, toFixedLight(xyz, gathered.perWhite()), half);
+          });
           buffer.flush();
         });
       }

@@ -39,15 +39,15 @@ Tally emptyTally(const Cloud& cloud) {
 }
 
 Tally tallyOf(const Cloud& cloud, int threads, std::uint64_t firstRay, std::uint64_t endRay) {
-  Tally tally = emptyTally(cloud);
-  SkyFilm film(tally);
+  SkyTally tally(emptyTally(cloud));
+  const auto film = makeFilm(tally, cloud, Symmetry::none);
   TraceSettings settings;
   settings.rays = endRay;
   TraceControl control;
   control.threads = threads;
-  traceRays(cloud, settings, firstRay, film, control);
-  tally.info.rays = {{firstRay, endRay - firstRay}};
-  return tally;
+  traceRays(cloud, settings, firstRay, *film, control);
+  tally.info().rays = {{firstRay, endRay - firstRay}};
+  return tally.parts().front().tally;
 }
 
 }  // namespace
