@@ -62,7 +62,7 @@ Symmetry symmetryOf(const Cloud& cloud, Symmetry asked) {
 }
 
 std::unique_ptr<Film> makeFilm(SkyTally& tally, const Cloud& cloud, Symmetry symmetry) {
-  return std::make_unique<SkyTallyFilm>(tally, symmetriesOf(cloud, symmetry));
+  return std::make_unique<SkyTallyFilm>(tally, symmetriesOf(cloud, symmetry), cloud.sun().toCentre());
 }
 
 TraceReport traceTally(SkyTally& tally, const Cloud& cloud, const TraceSettings& settings, std::uint64_t firstRay,

@@ -11,21 +11,21 @@ namespace parhelion {
 
 namespace {
 
-std::unique_ptr<Film> filmOf(SkyTally& tally, std::size_t symmetry) {
+std::unique_ptr<Film> filmOf(SkyTally& tally, std::size_t symmetry, const Vec3& toSun) {
   std::vector<Tally*> layers;
   const std::size_t count = tally.parts().size() / tally.symmetries().size();
   for (std::size_t layer = 0; layer < count; ++layer) layers.push_back(&tally.part(layer, symmetry));
   Tally* shared = tally.shared().empty() ? nullptr : &tally.shared()[symmetry];
   if (tally.symmetries()[symmetry] == TallySymmetry::radial)
-    return std::make_unique<RadialFilm>(std::move(layers), shared, tally.info().toSun());
+    return std::make_unique<RadialFilm>(std::move(layers), shared, toSun);
   return std::make_unique<SkyFilm>(std::move(layers), shared);
 }
 
 }  // namespace
 
-SkyTallyFilm::SkyTallyFilm(SkyTally& tally, const std::vector<TallySymmetry>& ofPopulations)
+SkyTallyFilm::SkyTallyFilm(SkyTally& tally, const std::vector<TallySymmetry>& ofPopulations, const Vec3& toSun)
     : tally_(tally), intercepted_(tally.parts().front().tally) {
-  for (std::size_t i = 0; i < tally.symmetries().size(); ++i) films_.push_back(filmOf(tally, i));
+  for (std::size_t i = 0; i < tally.symmetries().size(); ++i) films_.push_back(filmOf(tally, i, toSun));
   for (const TallySymmetry symmetry : ofPopulations) {
     const auto found = std::ranges::find(tally.symmetries(), symmetry);
     if (found == tally.symmetries().end()) throw std::invalid_argument("tally: none of its parts has this symmetry");

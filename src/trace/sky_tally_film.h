@@ -15,8 +15,8 @@ namespace parhelion {
 class SkyTallyFilm : public Film {
  public:
   /// `tally` must outlive the film and stay where it is, and have the symmetries of the populations, of which there is
-  /// one for each of the cloud.
-  SkyTallyFilm(SkyTally& tally, const std::vector<TallySymmetry>& ofPopulations);
+  /// one for each of the cloud, whose sun's centre is toward `toSun` (unit, world).
+  SkyTallyFilm(SkyTally& tally, const std::vector<TallySymmetry>& ofPopulations, const Vec3& toSun);
 
   int add(const TracedRays& traced) override;
   std::unique_ptr<Film> forThread() override;

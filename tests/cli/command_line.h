@@ -71,7 +71,8 @@ class CommandLine {
 inline bool takesAnyText(const Asked& asked) {
   static const std::set<std::string> kNames{"",       "-o",        "--output", "--stats", "--scene",   "--halo",
                                             "--mask", "--layers",  "--beside", "--minus", "--profile", "--summary",
-                                            "-D",     "--compare", "--resume", "--tally", "--slice"};
+                                            "-D",     "--compare", "--resume", "--tally",  "--slice",  "--paths",
+                                            "--layer", "--csv",    "--json"};
   return kNames.contains(asked.option);
 }
 

@@ -69,7 +69,7 @@ TEST_CASE("a merged tally is the tally, through files and pipes, and info says w
   const Outcome info = tallies("info m.exr");
   CHECK(info.exit == 0);
   for (const char* part :
-       {"tally of a sky, 24 x 16", "rays: 2000 (rays 0 to 1999)", "scene hash: ", "numerics: 1", "symmetry: mirror"})
+       {"tally of a sky, 24 x 16", "rays: 2000 (rays 0 to 1999)", "scene hash: ", "numerics: 2", "symmetry: mirror"})
     CHECK(has(info.out, part));
   CHECK_FALSE(has(info.out, "missing"));
   CHECK(tallies("recon a.exr -o f.exr --quiet").exit == 0);

@@ -162,6 +162,7 @@ TEST_CASE("the least and the greatest numbers that options take end no command b
       {"merge", "hits.exr --quiet -o m.exr"},
       {"info", "s.toml"},
       {"check", "s.toml"},
+      {"paths", "s.toml --time 0.05 --rays 2k --quiet"},
       {"replay", "s.toml"},
       {"view", "s.exr -o v.png"},
       {"composite", "photo.png --scene s.toml --rays 1k --quiet -o c.png --all-sky"}};

@@ -108,8 +108,8 @@ TEST_CASE("the stats name the sampler, the symmetry that was used, the lanes and
       {"parhelion render random.toml", "random", "radial"},
       {"parhelion render random.toml --sampler sobol --symmetry none", "sobol", "none"},
       {"parhelion trace plates.toml -o t.exr", "random", "mirror"},
-      {"parhelion trace turned.toml -o t.exr --sampler random", "random", "none"},
-      {"parhelion trace turned.toml -o t.exr -D trace.sampler=sobol", "sobol", "none"},
+      {"parhelion trace turned.toml -o t.exr --sampler random", "random", "auto"},
+      {"parhelion trace turned.toml -o t.exr -D trace.sampler=sobol", "sobol", "auto"},
   };
   for (const auto& [command, sampler, symmetry] : cases) {
     const json stats = statsOf(folder, command);

@@ -46,9 +46,9 @@ Cloud oneSidedPlates() {
 /// Their sky in light of one wavelength, unfiltered.
 Image platesSky() {
   const Cloud cloud = oneSidedPlates();
-  Tally tally(wholeSphere(), 1);
+  SkyTally tally(Tally(wholeSphere(), 1));
   traceTally(tally, cloud, {.rays = 1'000'000, .seed = 5, .symmetry = Symmetry::none});
-  return plainRadiance(tally);
+  return plainRadiance(tally.parts().front().tally);
 }
 
 /// Unit world vector toward a point of the sky.

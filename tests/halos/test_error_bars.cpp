@@ -45,7 +45,7 @@ LoadedScene sceneOf(const std::string& name, std::uint64_t rays, std::uint64_t s
   return loadScene(std::filesystem::path(PARHELION_SOURCE_DIR) / "scenes" / name, overrides);
 }
 
-Tally tallyOf(const LoadedScene& loaded) { return traceSky(loaded, cloudOf(loaded.scene)).tally; }
+SkyTally tallyOf(const LoadedScene& loaded) { return traceSky(loaded, cloudOf(loaded.scene)).tally; }
 
 std::vector<double> luminance(const Image& image) {
   const auto [red, green, blue] = image.rgb();
@@ -56,10 +56,10 @@ std::vector<double> luminance(const Image& image) {
 }
 
 /// Compares the picture of a few rays with that of very many, whose own noise is counted in.
-void addCoverage(SkyCoverage& coverage, const Tally& few, const Image& many) {
+void addCoverage(SkyCoverage& coverage, const SkyTally& few, const Image& many) {
   const Image picture = reconstruct(few, AdaptiveSettings{}).image;
-  const Camera camera(few.info.camera);
-  const Vec3 toSun(std::cos(few.info.sunElevation), 0.0, std::sin(few.info.sunElevation));
+  const Camera camera(few.info().camera);
+  const Vec3 toSun(std::cos(few.info().sunElevation), 0.0, std::sin(few.info().sunElevation));
   const std::vector<double> measured = luminance(picture), truth = luminance(many);
   const std::vector<float>&variance = *picture.find(kVarianceChannel), &bias = *picture.find(kBiasChannel);
   const std::vector<float>& noise = *many.find(kVarianceChannel);
@@ -97,7 +97,7 @@ double twoSigmas(double percent, const Coverage& coverage) {
 }
 
 void checkScene(const std::string& scene) {
-  const Image many = plainRadiance(tallyOf(sceneOf(scene, 20'000'000, 99)));
+  const Image many = plainRadiance(tallyOf(sceneOf(scene, 20'000'000, 99)).flattened());
   struct Run {
     std::uint64_t rays;
     int seeds;
@@ -133,7 +133,7 @@ TEST_CASE(
   double mean = 0.0, squares = 0.0, claimed = 0.0;
   for (int run = 1; run <= kRuns; ++run) {
     const Image image =
-        plainRadiance(tallyOf(sceneOf("random-columns.toml", 200'000, static_cast<std::uint64_t>(run))));
+        plainRadiance(tallyOf(sceneOf("random-columns.toml", 200'000, static_cast<std::uint64_t>(run))).flattened());
     double sum = 0.0;
     for (const double l : luminance(image)) sum += l;
     for (const float v : *image.find(kVarianceChannel)) claimed += static_cast<double>(v) / kRuns;

@@ -23,10 +23,10 @@ Tally seenBy(const CameraSettings& camera, std::uint64_t seed) {
   info.white = {1.0, 1.0, 1.0};
   info.sunElevation = kSun;
   info.camera = camera;
-  Tally tally(info, 1);
+  SkyTally tally(info, 1, {TallySymmetry::mirror});
   const Cloud cloud = cloudUnderPointSun(kSun, {prisms(1.0, RandomOrientation{})});
   traceTally(tally, cloud, {.rays = kRays, .seed = seed, .symmetry = Symmetry::mirror});
-  return tally;
+  return tally.parts().front().tally;
 }
 
 CameraSettings lens(Projection projection, int width, int height) {

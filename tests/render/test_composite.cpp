@@ -54,7 +54,7 @@ TEST_CASE("a halo comes out the same whether it is rendered for a photograph or 
   const TracedSky traced = traceSky(scene.coarse, cloudOf(scene.coarse.scene));
   const PhotoHalo rendered = haloOf(traced, scene, photo, 0);
   ReconstructedSky sky = developSky(traced, scene.coarse, 0);
-  writeSky(folder / "sky.exr", sky.image, traced.tally.info, scene.coarse);
+  writeSky(folder / "sky.exr", sky.image, traced.tally.info(), scene.coarse);
   CHECK(sunElevationIn(folder / "sky.exr") == doctest::Approx(photo.sunElevation).epsilon(1e-11));
 
   const PhotoHalo read = readHalo(folder / "sky.exr", photo);

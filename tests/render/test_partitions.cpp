@@ -36,8 +36,8 @@ TraceSettings until(const Scene& scene, const Cloud& cloud, const RayRange& rang
   return settings;
 }
 
-Tally traced(const LoadedScene& loaded, const Cloud& cloud, const RayRange& range) {
-  Tally tally = emptyTally(loaded, cloud);
+SkyTally traced(const LoadedScene& loaded, const Cloud& cloud, const RayRange& range) {
+  SkyTally tally = emptyTally(loaded, cloud);
   traceTally(tally, cloud, until(loaded.scene, cloud, range), range.first);
   return tally;
 }
@@ -56,7 +56,7 @@ ProfileTally tracedProfile(const LoadedScene& loaded, const Cloud& cloud, const 
   return tally;
 }
 
-bool same(const Tally& a, const Tally& b) { return a == b; }
+bool same(const SkyTally& a, const SkyTally& b) { return a == b; }
 
 template <class Measured>
 bool same(const Measured& a, const Measured& b) {
@@ -67,8 +67,8 @@ bool same(const Measured& a, const Measured& b) {
   return alike;
 }
 
-void add(Tally& sum, const Tally& other) { sum.merge(other); }
-void takeOut(Tally& sum, const Tally& other) { sum.subtract(other); }
+void add(SkyTally& sum, const SkyTally& other) { sum.merge(other); }
+void takeOut(SkyTally& sum, const SkyTally& other) { sum.subtract(other); }
 template <class Measured>
 void add(Measured& sum, const Measured& other) {
   mergeTally(sum, other);
@@ -132,7 +132,7 @@ TEST_CASE("plain and mirrored tallies of 1, 3 and 64 slices are those of one run
 
 TEST_CASE("radial tallies of 1, 3 and 64 slices are those of one run, in any order") {
   const LoadedScene loaded = columnsScene();
-  REQUIRE(emptyTally(loaded, cloudOf(loaded.scene)).rings() != nullptr);
+  REQUIRE(emptyTally(loaded, cloudOf(loaded.scene)).parts().front().tally.rings() != nullptr);
   checkPartitions(loaded, traced);
 }
 
@@ -149,10 +149,10 @@ TEST_CASE("tallies of skies, maps and profiles come back from their files to the
   for (const LoadedScene& loaded : {smallScene(), columnsScene(), smallScene({"sun.spectrum=550"})}) {
     const Cloud cloud = cloudOf(loaded.scene);
     for (const RayRange& range : {RayRange{0, 2}, RayRange{4, 6001}}) {
-      const Tally tally = traced(loaded, cloud, range);
-      writeTallyExr(path, tally);
-      CHECK(readTallyExr(path) == tally);
-      CHECK(readTallyInfo(path) == tally.info);
+      const SkyTally tally = traced(loaded, cloud, range);
+      writeSkyTallyExr(path, tally);
+      CHECK(readSkyTallyExr(path) == tally);
+      CHECK(readTallyInfo(path) == tally.info());
       const MapTally map = tracedMap(loaded, cloud, range);
       writeTally(path, map);
       CHECK(same(readMapTally(path), map));

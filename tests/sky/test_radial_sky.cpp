@@ -22,7 +22,7 @@ RadialSky randomSky(const TallyInfo& i, int colours, int hits, unsigned seed, bo
   std::uniform_real_distribution<double> unit(0.0, 1.0);
   for (int k = 0; k < hits; ++k) {
     const double angle = radians(5.0 + 55.0 * unit(random)), y = equal ? 0.5 : unit(random);
-    sky.add(sky.binAt(atAngle(angle)), {0.9 * y, y, 1.2 * y}, k % 4 == 0);
+    sky.add(sky.binAt(atAngle(angle)), Vec3(0.9 * y, y, 1.2 * y), k % 4 == 0);
   }
   return sky;
 }

@@ -57,12 +57,12 @@ inline Tally traceSky(const Cloud& cloud, const CameraSettings& camera, const Tr
   TallyInfo info;
   info.camera = camera;
   info.white = cloud.spectrum().white();
+  info.sunElevation = std::asin(cloud.sun().toCentre().z);
   SkyTally tally(info, cloud.spectrum().colours(), different(symmetriesOf(cloud, settings.symmetry)));
-  REQUIRE(tally.parts().size() == 1);
   TraceControl control;
   control.threads = threads;
   traceTally(tally, cloud, settings, firstRay, control);
-  return tally.parts().front().tally;
+  return tally.flattened();
 }
 
 inline double totalLuminance(const Tally& tally) {

@@ -133,9 +133,10 @@ TEST_CASE("symmetry is chosen by the crystals' orientations unless it is asked f
     std::vector<PopulationSettings> populations;
     Symmetry automatic;
   } cases[] = {{{prismPopulation(1.0), pyramids(0.9, 0.2)}, Symmetry::radial},
-               {{prismPopulation(1.0), plates()}, Symmetry::mirror},
+               {{prismPopulation(1.0), plates()}, Symmetry::automatic},  // each by itself
                {{parryColumns(), lowitzPlates()}, Symmetry::mirror},
-               {{plates(), prismPopulation(1.0, pointing)}, Symmetry::none}};
+               {{plates(), prismPopulation(1.0, pointing)}, Symmetry::automatic},
+               {{prismPopulation(1.0, pointing)}, Symmetry::none}};
   for (const auto& [populations, automatic] : cases) {
     const Cloud cloud = sunlit(populations);
     CHECK(symmetryOf(cloud, Symmetry::automatic) == automatic);

@@ -6,7 +6,7 @@
 
 #include "crystals.h"
 #include "trace/scatter_profile.h"
-#include "trace/sky_film.h"
+#include "trace/expose.h"
 #include "trace/sky_map.h"
 
 using namespace parhelion;
