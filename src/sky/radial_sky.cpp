@@ -95,16 +95,39 @@ void RadialSky::setPixel(Tally& tally, int pixel, const RadialFootprint& footpri
   }
 }
 
+bool RadialSky::isDark() const {
+  return std::ranges::all_of(rings_, [](const SumLine& ring) { return ring == SumLine{}; });
+}
+
 void RadialSky::spreadOver(Tally& tally) const {
-  if (tally.colours() != colours_) throw std::invalid_argument("radial sky: the tally's colours differ");
-  for (const PicturePart& part : partsOf(tally.info.camera)) {
+  const Spreading one[] = {{this, &tally}};
+  spread(one);
+}
+
+void RadialSky::spread(std::span<const Spreading> all) {
+  if (all.empty()) return;
+  const RadialSky& first = *all.front().sky;
+  std::vector<Spreading> lit;
+  for (const auto& [sky, tally] : all) {
+    if (tally->colours() != sky->colours_) throw std::invalid_argument("radial sky: the tally's colours differ");
+    first.requireSameRings(*sky);
+    if (tally->info.camera != all.front().tally->info.camera)
+      throw std::invalid_argument("radial sky: the tallies' cameras differ");
+    if (sky->isDark())
+      std::ranges::fill(tally->sums(), 0);
+    else
+      lit.push_back({sky, tally});
+  }
+  if (lit.empty()) return;
+  const int width = lit.front().tally->width();
+  for (const PicturePart& part : partsOf(lit.front().tally->info.camera)) {
     const Camera camera(part.camera);
-    RadialFootprint footprint(camera, *this);
+    RadialFootprint footprint(camera, first);
     for (int y = 0; y < camera.height(); ++y) {
       footprint.setRow(y);
       for (int x = 0; x < camera.width(); ++x) {
         footprint.setPixel(x);
-        setPixel(tally, y * tally.width() + part.left + x, footprint);
+        for (const auto& [sky, tally] : lit) sky->setPixel(*tally, y * width + part.left + x, footprint);
       }
     }
   }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include <glm/geometric.hpp>
@@ -127,6 +128,19 @@ class RadialSky {
   ///
   /// Throws std::invalid_argument if the colours differ.
   void spreadOver(Tally& tally) const;
+
+  /// A sky, and the tally that it is to be spread over.
+  struct Spreading {
+    const RadialSky* sky;
+    Tally* tally;
+  };
+
+  /// Does so with several skies that have the same rings, over tallies of the same camera: for little more than one
+  /// takes, since all share the work of finding which rings a pixel lies in.
+  static void spread(std::span<const Spreading> all);
+
+  /// Whether no light is in any ring.
+  bool isDark() const;
 
  private:
   /// Throws std::invalid_argument unless the rings of both are the same.

@@ -109,8 +109,10 @@ void SkyTally::merge(const SkyTally& other) {
 }
 
 void SkyTally::spreadRings() {
+  std::vector<RadialSky::Spreading> all;
   for (Part& part : parts_)
-    if (part.tally.rings()) part.tally.spreadRings();
+    if (part.tally.rings()) all.push_back({part.tally.rings(), &part.tally});
+  RadialSky::spread(all);
 }
 
 void SkyTally::subtract(const SkyTally& other) {

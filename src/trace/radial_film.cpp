@@ -64,7 +64,9 @@ void RadialFilm::merge(Film& fromThread) {
 }
 
 void RadialFilm::finish() {
-  for (std::size_t layer = 0; layer < layers_.size(); ++layer) skies_[layer]->spreadOver(*layers_[layer]);
+  std::vector<RadialSky::Spreading> all;
+  for (std::size_t layer = 0; layer < layers_.size(); ++layer) all.push_back({skies_[layer], layers_[layer]});
+  RadialSky::spread(all);
 }
 
 double RadialFilm::fullness() const {
