@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "sky/fixed_point.h"
@@ -30,6 +31,8 @@ class LayeredDeposits {
   /// Calls take(place, squares, hits) for each place that has deposits of several layers: what SkyTally::Shared holds.
   template <class Take>
   void forShared(const Take& take) const {
+    const auto isOther = [this](const Deposit& d) { return d.layer != deposits_.front().layer; };
+    if (std::none_of(deposits_.begin(), deposits_.end(), isOther)) return;
     for (std::size_t i = 0; i < deposits_.size(); ++i) {
       FixedLight whole = deposits_[i].light;
       std::int64_t apart = whole.squared(), more = 0;

@@ -34,6 +34,8 @@ class PathPlan {
 
   bool hasFilter() const { return hasFilter_; }
 
+  bool hasTilts() const { return hasTilts_; }
+
   /// Layers that have a name. The rest is one more, after them.
   int layers() const { return layers_; }
 

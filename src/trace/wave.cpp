@@ -183,8 +183,8 @@ void Wave::filter(int population) {
 
 /// Says of each exit which layer its light belongs to.
 void Wave::sortByLayer(const RayQueue& queue, int population) {
-  allowed_.resize(static_cast<std::size_t>(queue.count));
-  for (int place = 0; place < queue.count; ++place) {
+  allowed_.assign(static_cast<std::size_t>(queue.count), ~std::uint64_t{0});
+  for (int place = 0; paths_.hasTilts() && place < queue.count; ++place) {
     const auto axis = [place](const RayQueue::Row* rows) {
       return Vec3(rows[0][place], rows[1][place], rows[2][place]);
     };
