@@ -46,7 +46,7 @@ std::string csv(const SkyMap& map) {
 
 int runMap(const MapOptions& options, int binsPerHalfTurn, Tracers& tracers) {
   const LoadedScene loaded = options.run.load();
-  const Cloud cloud = cloudOf(loaded.scene);
+  const Cloud cloud = cloudByLight(loaded.scene);
   const TraceSettings settings = settingsOfMeasurement(cloud, loaded.scene.trace);
   const RayRange wanted = options.longRun.wanted(settings.rays, cloud.bundleSize(), options.run);
   const std::string tally = options.longRun.tallyFile();

@@ -62,7 +62,7 @@ nlohmann::ordered_json json(const ScatterProfile::Summary& s) {
 
 int runProfile(const ProfileOptions& options, Tracers& tracers) {
   const LoadedScene loaded = options.run.load();
-  const Cloud cloud = cloudOf(loaded.scene);
+  const Cloud cloud = cloudByLight(loaded.scene);
   const TraceSettings settings = settingsOfMeasurement(cloud, loaded.scene.trace);
   const RayRange wanted = options.longRun.wanted(settings.rays, cloud.bundleSize(), options.run);
   const std::string tally = options.longRun.tallyFile();

@@ -14,7 +14,7 @@ TraceSettings settingsOfMeasurement(const Cloud& cloud, const TraceSettings& ask
 }
 
 TracedMap traceMap(const Scene& scene, int binsPerHalfTurn, const TraceControl& control) {
-  const Cloud cloud = cloudOf(scene);
+  const Cloud cloud = cloudByLight(scene);
   TracedMap traced{{{}, settingsOfMeasurement(cloud, scene.trace)}, SkyMap(cloud.sun().toCentre(), binsPerHalfTurn)};
   traced.report = traceRays(cloud, traced.settings, 0, traced.map, control);
   return traced;
@@ -34,7 +34,7 @@ Image mapPicture(const SkyMap& map) {
 }
 
 TracedProfile traceProfile(const Scene& scene, int bins, double from, double to, const TraceControl& control) {
-  const Cloud cloud = cloudOf(scene);
+  const Cloud cloud = cloudByLight(scene);
   TracedProfile traced{{{}, settingsOfMeasurement(cloud, scene.trace)}, ScatterProfile(bins, from, to)};
   traced.report = traceRays(cloud, traced.settings, 0, traced.profile, control);
   return traced;

@@ -26,7 +26,7 @@ auto readNamed(const TallyFile& file, const Read& read) {
 
 std::vector<TracedKey> keysOf(const std::string& text, TallyKind kind) {
   const Scene scene = parseScene(text, "").scene;
-  const TraceSettings chosen = chosenSettings(cloudOf(scene), scene.trace);
+  const TraceSettings chosen = chosenSettings(cloudByLight(scene), scene.trace);
   return kind == TallyKind::sky ? talliedKeys(scene, chosen) : tracedKeys(scene, chosen);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/traced_sky.h"
 
+#include "render/allocation.h"
 #include "scene/traced_keys.h"
 #include "trace/engine.h"
 #include "trace/expose.h"
@@ -8,7 +9,15 @@
 
 namespace parhelion {
 
-Cloud cloudOf(const Scene& scene) { return Cloud(scene.sun, scene.ice, scene.populations); }
+Cloud cloudByLight(const Scene& scene) { return Cloud(scene.sun, scene.ice, scene.populations); }
+
+Cloud cloudOf(const Scene& scene) {
+  Cloud byLight = cloudByLight(scene);
+  if (scene.trace.allocation == Allocation::light) return byLight;
+  std::vector<double> favours = favoursFor(scene, byLight);
+  if (favours.empty()) return byLight;
+  return Cloud(scene.sun, scene.ice, scene.populations, std::move(favours));
+}
 
 TraceSettings chosenSettings(const Cloud& cloud, const TraceSettings& asked) {
   TraceSettings chosen = asked;

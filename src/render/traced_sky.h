@@ -8,8 +8,11 @@
 
 namespace parhelion {
 
-/// The cloud of a scene.
+/// The cloud of a scene, with its rays shared out as the scene says.
 Cloud cloudOf(const Scene& scene);
+
+/// The same for what is measured without a camera: rays are shared out as light is.
+Cloud cloudByLight(const Scene& scene);
 
 /// What a run's settings come to in a cloud: engine and symmetry are chosen where the scene leaves the choice. The
 /// engine stays `automatic` where not all crystals are convex, for then each gets its own.

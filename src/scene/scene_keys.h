@@ -125,6 +125,9 @@ void visitKeys(Visitor& v, TraceSettings& trace) {
   v.key("symmetry", kinds::Choice<Symmetry>{}, trace.symmetry,
         "Symmetry of the sky to make use of: rays count as their mirror images, too (\"mirror\"), or for whole rings "
         "about the sun (\"radial\"); \"auto\" takes the most that the populations allow.");
+  v.key("allocation", kinds::Choice<Allocation>{}, trace.allocation,
+        "How the rays of a picture are shared out among populations: as their light is (\"light\"), or more to those that "
+        "make more noise, as a pilot run finds it (\"auto\"). The light is the same.");
   v.key("filter", kinds::Optional{kinds::Paths{}}, trace.paths.filter,
         "Keeps only light of such raypaths: a pattern such as \"3-5\", or the name of a halo.");
 }

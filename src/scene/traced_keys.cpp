@@ -74,10 +74,11 @@ class KeyLister {
   }
 
   void trace(const TraceSettings& settings) {
-    const auto& [rays, seed, engine, path, sampler, symmetry, paths] = settings;
+    const auto& [rays, seed, engine, path, sampler, symmetry, paths, allocation] = settings;
     static_cast<void>(rays);      // how many there are changes none of them
     static_cast<void>(seed);      // told apart from the scene
-    static_cast<void>(symmetry);  // of tallies alone
+    static_cast<void>(symmetry);    // of tallies alone
+    static_cast<void>(allocation);  // likewise
     put("trace.engine", std::string(nameOf(engine)));
     put("trace.path", std::string(nameOf(path)));
     put("trace.sampler", std::string(nameOf(sampler)));
@@ -100,6 +101,7 @@ class KeyLister {
 
   void tally(const Scene& scene, const TraceSettings& trace) {
     put("trace.symmetry", std::string(nameOf(trace.symmetry)));
+    put("trace.allocation", std::string(nameOf(trace.allocation)));
     layers(trace.paths);
     for (const auto& [attribute, value] : textFromCamera(scene.camera)) put(attribute, value);
     put("camera.resolution", std::to_string(scene.camera.width) + " " + std::to_string(scene.camera.height));

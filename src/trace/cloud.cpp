@@ -37,12 +37,15 @@ std::vector<double> pilotInterceptions(const IncidenceTable& table, int populati
 
 }  // namespace
 
-Cloud::Cloud(const SunSettings& sun, const IceSettings& ice, std::span<const PopulationSettings> populations)
+Cloud::Cloud(const SunSettings& sun, const IceSettings& ice, std::span<const PopulationSettings> populations,
+             std::vector<double> favours)
     : sun_(sun),
       disc_(sun_.isPoint() ? nullptr : std::make_unique<SunDisc>(sun_.disc())),
       spectrum_(sun.spectrum),
       ice_(ice),
-      populations_(populations.begin(), populations.end()) {
+      populations_(populations.begin(), populations.end()),
+      favours_(std::move(favours)) {
+  if (favours_.empty()) favours_.assign(populations_.size(), 1.0);
   for (const Population& population : populations_) faces_.emplace_back(population.mesh());
   // Any bound gives the right distribution; one that the pilot sample never exceeds wastes few proposals and leaves
   // nearly all rays with weight 1. Where no crystal is rejected, the mean makes weights that are 1 on average.
@@ -57,13 +60,29 @@ Cloud::Cloud(const SunSettings& sun, const IceSettings& ice, std::span<const Pop
   }
   addPilot(pilot_[static_cast<int>(Sampler::random)], highest);
   addPilot(pilot_[static_cast<int>(Sampler::sobol)], mean);
+  shareOut(mean);
+}
+
+/// Finds what rays weigh, so that they do 1 on average.
+void Cloud::shareOut(const std::vector<double>& meanInterceptions) {
+  double light = 0.0, rays = 0.0;
+  for (std::size_t p = 0; p < populations_.size(); ++p) {
+    lightShares_.push_back(populations_[p].weight() * meanInterceptions[p]);
+    light += lightShares_.back();
+    rays += lightShares_.back() * favours_[p];
+  }
+  const bool isPlain = std::ranges::all_of(favours_, [](double favour) { return favour == 1.0; });
+  for (std::size_t p = 0; p < populations_.size(); ++p) {
+    lightPerRay_.push_back(isPlain ? 1.0 : rays / (light * favours_[p]));
+    lightShares_[p] /= light;
+  }
 }
 
 void Cloud::addPilot(Pilot& pilot, const std::vector<double>& bounds) const {
   double total = 0.0;
   for (std::size_t p = 0; p < populations_.size(); ++p) {
     pilot.bound.push_back(bounds[p]);
-    total += populations_[p].weight() * bounds[p];
+    total += populations_[p].weight() * bounds[p] * favours_[p];
     pilot.cumulative.push_back(total);
   }
   if (!(total > 0.0)) throw std::invalid_argument("no population has any weight");
@@ -80,7 +99,8 @@ IncidenceTable Cloud::incidence(int population, Sampler sampler) const {
           {toSun.x, toSun.y, toSun.z},
           disc_.get(),
           bound,
-          sampler == Sampler::random};
+          sampler == Sampler::random,
+          lightPerRay_.empty() ? 1.0 : lightPerRay_[population]};
 }
 
 SpectralSample Cloud::light(std::uint64_t seed, std::uint64_t bundle, int member) const {

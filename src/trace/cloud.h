@@ -20,8 +20,11 @@ namespace parhelion {
 /// Sun, ice and crystals: everything a ray's start is drawn from. Immutable; safe to use from many threads.
 class Cloud {
  public:
-  /// Throws std::invalid_argument when no population has any weight.
-  Cloud(const SunSettings& sun, const IceSettings& ice, std::span<const PopulationSettings> populations);
+  /// Rays are shared out among the populations as their light is, times a factor for each population in `favours`,
+  /// which are positive; empty: all alike. A ray of a population that gets more of them weighs less. Throws
+  /// std::invalid_argument when no population has any weight.
+  Cloud(const SunSettings& sun, const IceSettings& ice, std::span<const PopulationSettings> populations,
+        std::vector<double> favours = {});
 
   /// Rays k * bundleSize() ... (k + 1) * bundleSize() - 1 share everything but their wavelength; see Spectrum.
   int bundleSize() const { return spectrum_.bundleSize(); }
@@ -34,6 +37,9 @@ class Cloud {
 
   /// Shares of the populations among the crystals proposed, added up to 1.
   const std::vector<double>& shares(Sampler sampler) const { return pilot_[static_cast<int>(sampler)].cumulative; }
+
+  /// The light that each population intercepts, as shares of all; as a pilot sample has it.
+  const std::vector<double>& lightShares() const { return lightShares_; }
 
   /// The wavelength of a member of a bundle.
   SpectralSample light(std::uint64_t seed, std::uint64_t bundle, int member) const;
@@ -55,6 +61,7 @@ class Cloud {
     std::vector<double> cumulative;  // of weight * bound, up to 1
   };
   void addPilot(Pilot& pilot, const std::vector<double>& bounds) const;
+  void shareOut(const std::vector<double>& meanInterceptions);
 
   Sun sun_;
   std::unique_ptr<const SunDisc> disc_;  // none for a point sun
@@ -63,6 +70,7 @@ class Cloud {
   std::vector<Population> populations_;
   std::vector<FaceTable> faces_;
   std::array<Pilot, kNamesOf<Sampler>.size()> pilot_;  // by Sampler
+  std::vector<double> favours_, lightPerRay_, lightShares_;  // by population
 };
 
 }  // namespace parhelion

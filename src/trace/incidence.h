@@ -45,10 +45,11 @@ struct IncidenceTable {
   // ray weighs the quotient.
   double bound;
   bool rejects;
+  double lightPerRay = 1.0;  // by which all weights are multiplied, where rays are not shared out as light is
 
   /// No ray weighs more: the lit half of a closed surface and the dark one cast the same shadow, so that a crystal's
   /// shadow is at most half its surface.
-  double highestWeight() const { return std::max(1.0, 0.5 / bound); }
+  double highestWeight() const { return lightPerRay * std::max(1.0, 0.5 / bound); }
 };
 
 }  // namespace parhelion

@@ -42,7 +42,7 @@ void propose(const IncidenceTable& table, const IncidenceNumbers& numbers, Propo
     const Real ratio = shadows.total / (faces.surfaceAcrossC + faces.surfaceAlongC * stretch) / table.bound;
     const Mask real = below(i, proposals.count);
     const Mask take = table.rejects ? real & (u(kAcceptance, i) < ratio) : real;
-    const Real weight = table.rejects ? higher(ratio, all<Real>(1.0)) : ratio;
+    const Real weight = table.lightPerRay * (table.rejects ? higher(ratio, all<Real>(1.0)) : ratio);
     const Real face = litFace(faces, shadows, u(kEntryFace, i));
     const Triple<Real> point = pointOnFace(faces, stretch, face, u(kEntryS, i), u(kEntryT, i));
 

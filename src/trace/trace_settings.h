@@ -89,6 +89,20 @@ constexpr std::string_view nameOf(Symmetry value) {
   return {};
 }
 
+/// How rays are shared out among populations. `light`: as their light is. `automatic`: more to those that make more
+/// noise.
+enum class Allocation { automatic, light };
+
+constexpr std::string_view nameOf(Allocation value) {
+  switch (value) {
+    case Allocation::automatic:
+      return "auto";
+    case Allocation::light:
+      return "light";
+  }
+  return {};
+}
+
 struct TraceSettings {
   std::uint64_t rays = 10'000'000;  // incident rays, all wavelengths together
   std::uint64_t seed = 1;
@@ -97,6 +111,7 @@ struct TraceSettings {
   Sampler sampler = Sampler::random;
   Symmetry symmetry = Symmetry::automatic;
   PathSettings paths = {};
+  Allocation allocation = Allocation::automatic;
 };
 
 /// The most rays of a run. Whether its sums will hold their light depends on how the light is spread; a run finds out
