@@ -211,9 +211,9 @@ void writeView(View view, const ViewInput& input, const ViewOptions& options, Tr
 std::vector<ViewInput> readPictures(const ViewOptions& options) {
   constexpr int kBytesForUse = 16;  // a pixel: three floats, and the view of 8 bits
   const PhotographRules rules = options.photo.rules(kBytesForUse);
-  std::vector<ViewInput> pictures{readViewInput(options.input, rules)};
-  for (const std::string& other : options.beside) pictures.push_back(readViewInput(other, rules));
-  if (!options.minus.empty()) pictures.push_back(readViewInput(options.minus, rules));
+  std::vector<ViewInput> pictures{readViewInput(options.input, rules, options.layers)};
+  for (const std::string& other : options.beside) pictures.push_back(readViewInput(other, rules, options.layers));
+  if (!options.minus.empty()) pictures.push_back(readViewInput(options.minus, rules, options.layers));
   if (options.needsCamera() && !options.photo.given())
     for (ViewInput& picture : pictures) takeSceneBeside(picture);
   if (options.exposure && std::none_of(pictures.begin(), pictures.end(), [](const auto& p) { return p.light; }))

@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/view_input.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <stdexcept>
 
+#include "cli/commands.h"
 #include "cli/file_words.h"
 #include "photo/sky_mask.h"
 #include "picture/auto_exposure.h"
 #include "picture/exr.h"
+#include "picture/picture_layers.h"
+#include "recon/reconstruct.h"
 #include "render/scene_attributes.h"
 #include "scene/parse_scene.h"
+#include "scene/suggest.h"
 #include "sky/radiance.h"
 #include "sky/tally_exr.h"
 
@@ -31,6 +36,17 @@ std::optional<std::filesystem::path> skyBeside(const std::filesystem::path& pict
   return std::nullopt;
 }
 
+void requireLayers(const std::string& path, const std::vector<std::string>& has,
+                   const std::vector<std::string>& wanted) {
+  if (has.empty()) throw Unfit("--layers: " + path + " has no layers; a scene asks for them by [[layer]]");
+  const std::vector<std::string_view> accepted(has.begin(), has.end());
+  for (const std::string& layer : wanted) {
+    if (std::ranges::find(has, layer) != has.end()) continue;
+    const std::string hint = didYouMean(layer, accepted);
+    throw Unfit("--layers: " + path + " has no layer '" + layer + "'" + (hint.empty() ? "" : "; " + hint));
+  }
+}
+
 }  // namespace
 
 bool ViewInput::isPhotograph() const { return !scene() || photograph.text.contains(kStrengthKey); }
@@ -40,11 +56,13 @@ std::optional<std::string> ViewInput::scene() const {
   return found == photograph.text.end() ? std::nullopt : std::optional(found->second);
 }
 
-ViewInput readViewInput(const std::string& path, const PhotographRules& rules) {
+ViewInput readViewInput(const std::string& path, const PhotographRules& rules,
+                        const std::vector<std::string>& layers) {
   ViewInput input;
   requireFit(path, Wanted::view);
   input.path = input.sceneFile = path;
   if (!isExr(path)) {
+    if (!layers.empty()) throw Unfit("--layers: " + path + " is a photograph, and has no layers of light");
     input.photograph = readPhotograph(path, rules);
     return input;
   }
@@ -53,11 +71,24 @@ ViewInput readViewInput(const std::string& path, const PhotographRules& rules) {
   input.photograph.height = frame.height;
   input.photograph.text = std::move(frame.attributes);
   if (input.photograph.text.contains(kTallyKey)) {
-    input.tally = readTallyExr(path);
-    input.light = plainRadiance(*input.tally);
+    const SkyTally sky = readSkyTallyExr(path);
+    input.tally = sky.flattened();
+    if (!layers.empty()) {
+      requireLayers(path, sky.layers(), layers);
+      LayerGains gains;
+      for (const std::string& layer : sky.layers()) gains[layer] = 0.0;
+      for (const std::string& layer : layers) gains[layer] = 1.0;
+      input.light = reconstruct(sky, NoSettings{}, gains).image;
+    } else {
+      input.light = plainRadiance(*input.tally);
+    }
   } else {
-    input.light = readExr(path, exrColours(rules), {true, rules.bytesForUse, rules.editedPictures()}).image;
+    input.light = readExr(path, exrColours(rules), {layers.empty(), rules.bytesForUse, rules.editedPictures()}).image;
     requireColours(path, *input.light);
+    if (!layers.empty()) {
+      requireLayers(path, layersOf(*input.light), layers);
+      keepLayers(*input.light, layers);
+    }
   }
   return input;
 }

@@ -30,7 +30,9 @@ struct ViewInput {
 };
 
 /// Reads a photograph, a sky or a tally, told apart by what is in the file. Throws std::runtime_error "path: reason".
-ViewInput readViewInput(const std::string& path, const PhotographRules& rules);
+/// Of an EXR with layers of light only those named, or all if none is. Throws Unfit where it has no such layer.
+ViewInput readViewInput(const std::string& path, const PhotographRules& rules,
+                        const std::vector<std::string>& layers = {});
 
 /// Gives a picture without a scene, such as a preview whose text has been lost, that of the sky of the same name and
 /// shape beside it, if there is one: an EXR of render or recon.

@@ -68,6 +68,11 @@ void addFilters(CLI::App& command, ViewOptions& o) {
       ->transform(wholeNumber(1, 64));
   command.add_option("--minus", o.minus, "Take the linear light of a second picture off: mid-grey is no difference")
       ->type_name("OTHER");
+  command
+      .add_option("--layers", o.layers, "Only these layers of a picture or tally that has some, with commas between them")
+      ->type_name("A,B")
+      ->delimiter(',')
+      ->allow_extra_args(false);
   command.add_option("--gain", o.gain, "Of --red-minus-blue and --minus; chosen by the picture when left out")
       ->type_name("FACTOR")
       ->transform(number(0.0, 1e12));

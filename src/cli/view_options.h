@@ -19,6 +19,7 @@ struct ViewOptions {
   std::string input, output, layer, mask;
   std::vector<std::string> beside;  // pictures to the right
   std::string minus;                // the other picture
+  std::vector<std::string> layers;  // of light; empty: all
   std::string unsharp;              // AMOUNT,RADIUS
   bool redMinusBlue = false, dots = false;
   std::optional<int> dotSize;            // pixels

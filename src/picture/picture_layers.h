@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "picture/image.h"
+
+namespace parhelion {
+
+/// The layers of a picture, as compositors read them: a layer NAME has the channels NAME.R, NAME.G and NAME.B.
+std::vector<std::string> layersOf(const Image& image);
+
+/// Makes R, G, B the sums of some of the picture's layers, and takes away all other channels. Throws
+/// std::invalid_argument if it does not have one of them.
+void keepLayers(Image& image, std::span<const std::string> layers);
+
+}  // namespace parhelion
