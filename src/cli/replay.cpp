@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include <nlohmann/json.hpp>
 
 #include "cli/commands.h"
 #include "cli/number_options.h"
+#include "cli/outputs.h"
 #include "cli/run_options.h"
 #include "cli/say.h"
 #include "cli/scene_input.h"
 #include "math/rotation.h"
 #include "render/measurements.h"
+#include "render/scene_attributes.h"
+#include "view/crystal_drawing.h"
 
 namespace parhelion::cli {
 
@@ -19,7 +24,8 @@ struct ReplayOptions {
   std::string scene;
   std::vector<std::string> overrides;
   std::uint64_t ray = 0;
-  bool json = false;
+  bool json = false, overwrite = false;
+  std::string svg;
 };
 
 nlohmann::ordered_json numbers(const Vec3& v) { return {v.x, v.y, v.z}; }
@@ -107,7 +113,41 @@ void printPath(const LightPath& path, const std::string& population) {
   }
 }
 
+/// The crystal of a path with its light, in the world. What leaves with less than a hundredth of the light is left out.
+CrystalDrawing drawingOf(const LightPath& path, const std::string& population) {
+  constexpr double kLeast = 0.01;
+  const IncidentRay& ray = path.incident;
+  const CrystalMesh& mesh = *ray.crystal.mesh;
+  const auto world = [&](const Vec3& v) { return ray.crystalToWorld * v; };
+  CrystalDrawing drawing;
+  double radius = 0.0;
+  for (const Vec3& vertex : mesh.vertices()) {
+    const Vec3 stretched(vertex.x, vertex.y, vertex.z * ray.crystal.stretch);
+    drawing.vertices.push_back(world(stretched));
+    radius = std::max(radius, std::hypot(stretched.x, stretched.y, stretched.z));
+  }
+  for (const Face& face : mesh.faces()) drawing.faces.push_back({face.number, face.vertices, world(face.normal)});
+  const Encounter* before = nullptr;
+  for (const Encounter& hit : path.encounters) {
+    const Vec3 here = world(hit.point);
+    const double energy = (hit.energyLeaving + hit.energyStaying) / ray.weight;
+    if (energy < kLeast) break;
+    const Vec3 from = before ? world(before->point) : here - radius * ray.lightDirWorld;
+    drawing.light.push_back({from, here, energy, before == nullptr});
+    if (hit.energyLeaving >= kLeast * ray.weight)
+      drawing.light.push_back({here, here + 0.8 * radius * world(hit.leavingDir), hit.energyLeaving / ray.weight, true});
+    before = &hit;
+  }
+  const auto brightest = std::ranges::max_element(path.exits, {}, &Exit::energy);
+  const int order = brightest == path.exits.end() ? 0 : brightest->order;
+  char light[60];
+  std::snprintf(light, sizeof light, ", %.0f nm, n = %.4f: ", ray.light.wavelength, ray.iceIndex);
+  drawing.caption = "ray " + std::to_string(ray.index) + " of " + population + light + "most light by " + raypath(path, order);
+  return drawing;
+}
+
 int runReplay(const ReplayOptions& options) {
+  Transaction outputs = claimOutputs({{options.scene}, {options.svg}}, options.overwrite);
   const Scene scene = loadSceneOf(options.scene, options.overrides).scene;
   const Cloud cloud = cloudOf(scene);
   const LightPath path = replayRay(scene, cloud, options.ray);
@@ -116,6 +156,8 @@ int runReplay(const ReplayOptions& options) {
     answerLines(pathJson(path, population).dump(2) + "\n");
   else
     printPath(path, population);
+  if (!options.svg.empty()) drawCrystal(outputs.at(options.svg), drawingOf(path, population), kSoftware);
+  outputs.commit();
   return kDone;
 }
 
@@ -132,6 +174,10 @@ void addReplay(CLI::App& app, int& exit) {
       ->type_name("N")
       ->transform(wholeNumber());
   command->add_flag("--json", options->json, "The same as JSON");
+  command->add_option("--svg", options->svg, "Draw the crystal with the ray in it, from the side and from above")
+      ->type_name("FILE")
+      ->check(fileOfKind({".svg"}, ".svg"));
+  addOverwrite(*command, options->overwrite);
   command->callback([options, &exit] { exit = runReplay(*options); });
 }
 
