@@ -85,7 +85,8 @@ std::string profileObjection(std::span<const std::uint8_t> bytes, bool grey) {
   const Profile profile(
       cmsOpenProfileFromMemTHR(context.get(), bytes.data(), static_cast<cmsUInt32Number>(bytes.size())));
   if (!profile) return kDamaged;
-  const cmsColorSpaceSignature space = cmsGetColorSpace(profile.get());
+  // The file's own number: an enumeration of C++ must not hold others than its enumerators need.
+  const cmsUInt32Number space = cmsGetColorSpace(profile.get());
   if (space == cmsSigRgbData && isSrgb(context.get(), profile.get())) return {};
   if (space == cmsSigGrayData && grey && isUsualGrey(profile.get())) return {};
   return "its colours are in the profile \"" + nameOf(profile.get()) + "\", not sRGB";

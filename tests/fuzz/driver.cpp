@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stands in for libFuzzer, whose targets it takes: shows a target all files of a folder, and then mutations of them, the
-// same ones each time.
+// Stands in for libFuzzer, whose targets it takes: shows a target all files of a folder, and then mutations of them,
+// the same ones each time.
 //   fuzz_NAME CORPUS [MUTATIONS [SEED]]
 // An input that takes longer than a second, or makes the process larger than a gigabyte, ends it like a crash. The
 // input is left in a file, whose name is printed.
