@@ -10,6 +10,7 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace parhelion;
+  const Limits limits;
   Photograph photograph;
   Exif& exif = photograph.exif = readExif({data, size});
   require(exif.orientation >= 1 && exif.orientation <= 8);

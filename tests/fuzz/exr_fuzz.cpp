@@ -7,6 +7,7 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace parhelion;
+  const Limits limits;
   const std::filesystem::path& path = inputFile(data, size);
   for (const EditedPictures edited : {EditedPictures::refused, EditedPictures::read}) {
     mayRefuse([&] { useLight(readExr(path, ExrColours::rec709, {.edited = edited}).image); });

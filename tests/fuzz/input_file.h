@@ -2,8 +2,10 @@
 #pragma once
 
 #include <sys/mman.h>
+#include <sys/time.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <cstdint>
 #include <cstdlib>
 #include <filesystem>
@@ -15,14 +17,31 @@
 
 namespace parhelion {
 
-/// What an input may take beside what the process has: the sanitizers and the fuzzer itself take more than the readers.
-inline void limitMemory() {
-  constexpr std::uint64_t kMost = 128'000'000;  // bytes
-  std::ifstream file("/proc/self/statm");
-  std::uint64_t all = 0, resident = 0;
-  file >> all >> resident;
-  setMemoryLimit(resident * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE)) + kMost);
-}
+/// What an input may take, as long as this lives: a second of the processor, since others may use the machine, too, and
+/// 128 MB beside what the process has, since sanitizers and fuzzers take more than the readers.
+class Limits {
+ public:
+  Limits() {
+    constexpr std::uint64_t kMost = 128'000'000;  // bytes
+    std::ifstream file("/proc/self/statm");
+    std::uint64_t all = 0, resident = 0;
+    file >> all >> resident;
+    setMemoryLimit(resident * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE)) + kMost);
+    // Our driver has a handler of its own. libFuzzer takes an abort for a crash, and keeps the input.
+    if (const auto before = std::signal(SIGVTALRM, [](int) { std::abort(); }); before != SIG_DFL)
+      std::signal(SIGVTALRM, before);
+    start({1, 0});
+  }
+  ~Limits() { start({0, 0}); }
+  Limits(const Limits&) = delete;
+  Limits& operator=(const Limits&) = delete;
+
+ private:
+  static void start(timeval time) {
+    const itimerval timer{{0, 0}, time};
+    ::setitimer(ITIMER_VIRTUAL, &timer, nullptr);
+  }
+};
 
 /// A file in memory with a path, for what reads and writes files.
 class MemoryFile {
@@ -49,10 +68,9 @@ class MemoryFile {
   std::filesystem::path path_;
 };
 
-/// A file that holds an input, for readers that want a path. Limits memory, too.
+/// A file that holds an input, for readers that want a path.
 inline const std::filesystem::path& inputFile(const std::uint8_t* data, std::size_t size) {
   static const MemoryFile file;
-  limitMemory();
   return file.with(data, size);
 }
 

@@ -24,6 +24,7 @@ void patch(const std::filesystem::path& path, parhelion::Photograph photograph) 
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace parhelion;
+  const Limits limits;
   const std::filesystem::path& path = inputFile(data, size);
   mayRefuse([&] { usePhotograph(readPhotograph(path)); });
   mayRefuse([&] {

@@ -5,6 +5,7 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace parhelion;
+  const Limits limits;
   const std::filesystem::path& path = inputFile(data, size);
   mayRefuse([&] { cli::isOwnFile(path); });
   return 0;

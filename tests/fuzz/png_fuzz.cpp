@@ -46,6 +46,7 @@ void read(const std::filesystem::path& path) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const parhelion::Limits limits;
   const std::vector<std::uint8_t> asIs(data, data + size), fitting = repaired(asIs);
   read(parhelion::inputFile(asIs.data(), size));
   if (fitting != asIs) read(parhelion::inputFile(fitting.data(), size));

@@ -48,6 +48,7 @@ void use(const LoadedScene& loaded) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const Limits limits;
   const std::string_view all(reinterpret_cast<const char*>(data), size);
   const std::size_t end = all.find('\0');
   std::vector<std::string> overrides;

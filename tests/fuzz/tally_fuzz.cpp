@@ -155,6 +155,7 @@ void useFile(const std::filesystem::path& path) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const Limits limits;
   const std::string_view input(reinterpret_cast<const char*>(data), size);
   const std::filesystem::path& path = inputFile(data, size);
   if (input.starts_with("v/1\x01")) {

@@ -46,31 +46,47 @@ void mayComplain(const Use& use) {
   }
 }
 
+/// A program's command line. It takes longer to make than to use.
+struct Program {
+  CLI::App app{"", "parhelion"};
+  Tracers tracers;
+  int exit = 0;
+
+  Program() {
+    cli::addCommands(app, exit, tracers);
+    app.require_subcommand(1000);  // more than there are, so that none starts
+  }
+};
+
 /// The words for a whole program, which says what is wrong with them.
 void parseAll(Words words) {
-  int exit = 0;
-  CLI::App app("", "parhelion");
-  Tracers tracers;
-  cli::addCommands(app, exit, tracers);
-  app.require_subcommand(1000);              // more than there are, so that none starts
+  static Program program;
   std::reverse(words.begin(), words.end());  // as CLI11 wants them
   try {
-    app.parse(words);
+    program.app.parse(words);
   } catch (const CLI::ParseError& error) {
-    cli::complaint(&app, error);
+    cli::complaint(&program.app, error);
   }
 }
 
 /// The words that a group of options knows, and what is made of them.
-template <class Options, class Use>
-void parseInto(Options& options, Words words, const auto& addTo, const Use& use) {
-  CLI::App app;
-  app.allow_extras();
-  addTo(app, options);
+template <class Options, class AddTo, class Use>
+void parseInto(Words words, const AddTo& addTo, const Use& use) {
+  struct Group {
+    Options options;
+    CLI::App app;
+
+    explicit Group(const AddTo& add) {
+      app.allow_extras();
+      add(app, options);
+    }
+  };
+  static Group group(addTo);
+  group.options = Options();
   std::reverse(words.begin(), words.end());
   mayComplain([&] {
-    app.parse(words);
-    use(options);
+    group.app.parse(words);
+    use(group.options);
   });
 }
 
@@ -110,7 +126,7 @@ void useView(cli::ViewOptions& options) {
   mayComplain([&] { options.requireSense(); });
   options.overlaySettings();
   options.profileSettings();
-  options.families();
+  if (!options.crystals.empty()) options.families();
   if (!options.unsharp.empty()) options.unsharpSettings();
 }
 
@@ -135,9 +151,8 @@ void readNumber(const std::string& word) {
 /// The word behind each option that reads numbers in a way of its own.
 void tryOptions(const std::string& word) {
   for (const char* name : {"--memory=", "--slice=", "--ray-range=", "--checkpoint=", "--error="}) {
-    cli::LongRunOptions options;
-    parseInto(
-        options, {name + word},
+    parseInto<cli::LongRunOptions>(
+        {name + word},
         [](CLI::App& app, cli::LongRunOptions& all) {
           all.addTo(app, cli::LongRunOptions::Keeps::tallyBeside);
           cli::addMemory(app);
@@ -149,6 +164,7 @@ void tryOptions(const std::string& word) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const Limits limits;
   const Words words = linesOf({reinterpret_cast<const char*>(data), size});
   for (const std::string& word : words) {
     readNumber(word);
@@ -157,20 +173,17 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   tryOptions(words.back());
   parseAll(words);
-  Run run;
-  parseInto(
-      run, words,
+  parseInto<Run>(
+      words,
       [](CLI::App& app, Run& all) {
         all.run.addTracingTo(app, true);
         all.longRun.addTo(app, cli::LongRunOptions::Keeps::tallyBeside);
       },
       useRun);
-  cli::ViewOptions view;
-  parseInto(
-      view, words, [](CLI::App& app, cli::ViewOptions& all) { all.addTo(app); }, useView);
-  cli::PictureOptions picture;
-  parseInto(
-      picture, words, [](CLI::App& app, cli::PictureOptions& all) { all.addTo(app); },
+  parseInto<cli::ViewOptions>(
+      words, [](CLI::App& app, cli::ViewOptions& all) { all.addTo(app); }, useView);
+  parseInto<cli::PictureOptions>(
+      words, [](CLI::App& app, cli::PictureOptions& all) { all.addTo(app); },
       [](cli::PictureOptions& all) { all.files("scene.toml"); });
   return 0;
 }

@@ -74,4 +74,17 @@ TEST_CASE("a damaged profile is told as such and never crashes") {
   }
 }
 
+TEST_CASE("a profile that promises names in a million languages takes little memory") {
+  const std::vector<std::uint8_t> sound = srgbProfile();
+  std::string profile(sound.begin(), sound.end());
+  // ICC.1:2010, 10.13: behind "mluc" and four bytes comes the number of names.
+  const std::size_t at = profile.find("mluc");
+  REQUIRE(at != std::string::npos);
+  profile[at + 8] = 1;
+  profile.replace(profile.find("RGB "), 4, "CMYK");  // so that the name is asked for
+  std::string said;
+  CHECK(megabytesOf([&] { said = objectionTo(profile, false); }) < 80);
+  CHECK(objectionTo(profile, false).find("not sRGB") != std::string::npos);
+}
+
 }  // namespace parhelion
