@@ -11,6 +11,7 @@
 
 #include "input_file.h"
 #include "math/number_text.h"
+#include "parallel/threads.h"
 #include "recon/reconstruct.h"
 #include "render/measured_tally.h"
 #include "render/tally_sum.h"
@@ -119,7 +120,9 @@ void useSky(const std::filesystem::path& path) {
       [](const Tally& one, const Tally& other) { return one == other; });
   constexpr int kFewPixels = 200;
   plainRadiance(tally);
-  if (tally.pixels() <= kFewPixels) reconstruct(tally, AdaptiveSettings());
+  // One thread: many take addresses, of which our driver allows a gigabyte.
+  static Threads one(1);
+  if (tally.pixels() <= kFewPixels) one.run([&] { reconstruct(tally, AdaptiveSettings()); });
 }
 
 template <class Tally>
