@@ -27,20 +27,23 @@ void meet(std::atomic<int>& here, int threads) {
 
 int main(int argc, char** argv) {
   const bool ordered = argc > 1 && std::string_view(argv[1]) == "ordered";
-  constexpr int kThreads = 2, kRounds = 100;
+  constexpr int kThreads = 2, kRows = 64, kRounds = 100;
   Threads threads(kThreads);
   int racing = 0, sum = 0;
   for (int round = 0; round < kRounds; ++round) {
-    std::vector<int> own(kThreads, 1);  // written before the loop, counted up in it, read behind it
-    std::atomic<int> here{0};
+    std::vector<int> own(kRows, 1);  // written before the loops, counted up in them, read behind them
+    std::atomic<int> hereForEach{0}, hereForRows{0};
     threads.run([&] {
-      forEach(kThreads, [&](int i) {
-        meet(here, kThreads);
+      forEach(kRows, [&](int i) {
+        meet(hereForEach, kThreads);
         ++(ordered ? own[static_cast<std::size_t>(i)] : racing);
       });
-      forRows(kThreads, [&](int i) { ++own[static_cast<std::size_t>(i)]; });
+      forRows(kRows, [&](int y) {
+        meet(hereForRows, kThreads);
+        ++own[static_cast<std::size_t>(y)];
+      });
     });
     for (const int value : own) sum += value;
   }
-  return sum == (ordered ? 3 : 2) * kThreads * kRounds ? 0 : 1;
+  return !ordered || sum == 3 * kRows * kRounds ? 0 : 1;
 }

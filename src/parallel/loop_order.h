@@ -14,14 +14,15 @@ namespace parhelion {
 /// It must live as long as the loop.
 class LoopOrder {
  public:
-  LoopOrder() { release(begin_); }
+  LoopOrder() = default;
   ~LoopOrder() { acquire(end_); }
   LoopOrder(const LoopOrder&) = delete;
   LoopOrder& operator=(const LoopOrder&) = delete;
 
-  /// The loop's function f, which must live as long.
+  /// The loop's function f, which must live as long. The loop begins here.
   template <class F>
   auto around(const F& f) {
+    release(begin_);
     return Function<F>{this, &f};
   }
 
