@@ -1,14 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
-# What the thread sanitizer looks at: what runs in parallel, and the program with its signals and checkpoints. Of tracing
-# and reconstruction these are the tests with several threads, with stops and with parts. The others take the same ways
-# through our code and, for the sake of their statistics, many times as long.
+# What the thread sanitizer looks at: what runs in parallel, and the program with its signals and checkpoints. Of most
+# folders these are the tests that compare numbers of threads. The others take the same ways through our code and, for
+# the sake of their statistics, many times as long.
 
 parhelion_test(math USES parhelion_math CASES "*thread*")  # its precompiled header serves the others
 parhelion_test(sky USES parhelion_sky FILES "test_(deposit_buffer|tally).cpp" CASES "*thread*")
 parhelion_test(trace USES parhelion_trace FILES "test_(radial_film|ray_source|symmetry|trace|tracer).cpp"
   CASES "*thread*,*stop*,*part*")
 parhelion_test(recon USES parhelion_recon CASES "*thread*")
-parhelion_test(photo USES parhelion_photo FILES "(/test_added_halo|/test_find_sky|/landscapes|/painting).cpp" CASES "*thread*")
+parhelion_test(photo USES parhelion_photo FILES "/(test_added_halo|test_find_sky|landscapes|painting).cpp"
+  CASES "*thread*")
 parhelion_test(render USES parhelion_render)
 parhelion_test(cli USES parhelion_cli FILES "test_(long_runs|recon|signals).cpp")
 target_compile_definitions(test_cli PRIVATE
