@@ -72,6 +72,11 @@ TEST_CASE("a PNG chunk that is longer than its file takes no memory") {
       CHECK(errorOf([&] { readPhotograph(directory / "bad.png"); }) != "");
       CHECK(errorOf([&] { readPhotographHeader(directory / "bad.png"); }) != "");
     }
+    // Nothing is behind its length and kind, or less than a checksum.
+    for (const char* rest : {"", "abc"}) {
+      put(directory / "bad.png", sound.substr(0, afterHeader) + bigEndian(0x7ffffff0U) + kind + rest);
+      CHECK(megabytesOf([&] { errorOf([&] { readPhotograph(directory / "bad.png"); }); }) < kFew);
+    }
   }
 }
 
