@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: Apache-2.0
+// The light that the name of a halo stands for is where that halo is.
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <doctest/doctest.h>
+#include <glm/geometric.hpp>
+
+#include "crystal/raypath/halo_paths.h"
+#include "halos/closed_forms.h"
+#include "halos/experiment.h"
+
+using namespace parhelion;
+
+namespace {
+
+/// A ray of light that the filter has kept.
+struct Kept {
+  double azimuth, elevation, deviation;  // degrees; azimuth to either side
+  double energy;
+};
+
+struct KeptFilm : Film {
+  std::vector<Kept> all;
+
+  int add(const TracedRays& traced) override {
+    const auto& [queue, exits, members, population, mesh, steps] = traced;
+    for (int i = 0; i < exits.count; ++i) {
+      const int place = queue.placeOf(static_cast<int>(exits.ray[i]));
+      const Vec3 light(queue.lightWorld[0][place], queue.lightWorld[1][place], queue.lightWorld[2][place]);
+      const SkyPoint sky = skyPoint(-exits.lightDir(i));
+      all.push_back({std::abs(degrees(sky.azimuth)), degrees(sky.elevation),
+                     degrees(angleBetween(light, exits.lightDir(i))), exits.energy[i]});
+    }
+    return exits.count;
+  }
+  std::unique_ptr<Film> forThread() override { return std::make_unique<KeptFilm>(); }
+  void merge(Film& other) override {
+    const auto& more = dynamic_cast<KeptFilm&>(other).all;
+    all.insert(all.end(), more.begin(), more.end());
+  }
+};
+
+OrientationSettings orientationOf(Stance stance) {
+  switch (stance) {
+    case Stance::random:
+      return RandomOrientation{};
+    case Stance::plate:
+      return plateOrientation();
+    case Stance::column:
+      return columnOrientation();
+    case Stance::parry:
+      return parryOrientation();
+    case Stance::lowitz:
+      return LowitzOrientation{};
+  }
+  return RandomOrientation{};
+}
+
+/// The light that a name stands for, of perfectly oriented crystals of one shape.
+constexpr double kSun = 20.0;
+
+std::vector<Kept> lightOf(std::string_view name, double sunElevation = kSun, double aspect = 0.5,
+                          std::uint64_t rays = 300'000) {
+  const HaloPath* halo = haloNamed(name);
+  REQUIRE(halo != nullptr);
+  PopulationSettings population = prisms(aspect, orientationOf(halo->stances.front()));
+  if (halo->pattern.find('1') != std::string_view::npos && halo->pattern.find("13-") != std::string_view::npos)
+    population.shape = PyramidSettings{aspect, 0.7, 0.7};
+  for (const char* pyramidal : {"16", "15", "23"})
+    if (halo->pattern.find(pyramidal) != std::string_view::npos) population.shape = PyramidSettings{aspect, 0.7, 0.7};
+  KeptFilm film;
+  TraceSettings settings{.rays = rays};
+  settings.paths.filter = parsePathPattern(name);
+  traceRays(cloudUnderPointSun(radians(sunElevation), {population}), settings, 0, film);
+  REQUIRE(film.all.size() > 100);
+  return film.all;
+}
+
+template <class Of>
+double least(const std::vector<Kept>& light, const Of& of) {
+  return std::ranges::min(light, {}, of).*of;
+}
+template <class Of>
+double most(const std::vector<Kept>& light, const Of& of) {
+  return std::ranges::max(light, {}, of).*of;
+}
+
+/// The centre of the bin of 0.1 degrees with most light.
+template <class Of>
+double peak(const std::vector<Kept>& light, const Of& of) {
+  std::vector<double> bins(3600, 0.0);
+  for (const Kept& one : light) bins[static_cast<std::size_t>((one.*of + 180.0) * 10.0)] += one.energy;
+  return static_cast<double>(std::ranges::max_element(bins) - bins.begin()) / 10.0 - 180.0 + 0.05;
+}
+
+/// All light is at this value of a coordinate.
+template <class Of>
+void checkAllAt(const std::vector<Kept>& light, const Of& of, double where) {
+  CHECK(least(light, of) == doctest::Approx(where).epsilon(1e-7).scale(100));
+  CHECK(most(light, of) == doctest::Approx(where).epsilon(1e-7).scale(100));
+}
+
+}  // namespace
+
+TEST_CASE("each name of a halo keeps light where that halo is") {
+  struct Ring {
+    const char* name;
+    double least;  // n = 1.31
+    double aspect = 0.5;
+  };
+  for (const auto& [name, where, aspect] : std::vector<Ring>{{"22° halo", 21.839},
+                                                     {"46° halo", 45.733},
+                                                     {"9° halo", 8.953},
+                                                     {"18° halo", 18.271},
+                                                     {"20° halo", 19.905},
+                                                     {"23° halo", 22.862, 0.05},
+                                                     {"24° halo", 23.819},
+                                                     {"35° halo", 34.929},
+                                                     {"circumscribed halo", 21.839},
+                                                     {"upper tangent arc", 21.839},
+                                                     {"lower tangent arc", 21.839},
+                                                     {"Lowitz arc", 21.839}}) {
+    CAPTURE(name);
+    const auto light = lightOf(name, kSun, aspect, 2'000'000);
+    CHECK(least(light, &Kept::deviation) > where - 1e-3);
+    CHECK(least(light, &Kept::deviation) < where + 0.1);
+  }
+
+  const auto parhelion = lightOf("parhelion");
+  checkAllAt(parhelion, &Kept::elevation, kSun);
+  CHECK(std::abs(peak(parhelion, &Kept::azimuth) - 24.576) < 0.1);
+  const auto subparhelion = lightOf("subparhelion");
+  checkAllAt(subparhelion, &Kept::elevation, -kSun);
+  CHECK(std::abs(peak(subparhelion, &Kept::azimuth) - 24.576) < 0.1);
+  checkAllAt(lightOf("circumzenithal arc"), &Kept::elevation,
+             degrees(theory::circumzenithal(kIndex, radians(kSun))));
+  checkAllAt(lightOf("circumhorizontal arc", 60.0), &Kept::elevation,
+             degrees(theory::circumhorizontal(kIndex, radians(60.0))));
+  checkAllAt(lightOf("parhelic circle"), &Kept::elevation, kSun);
+  const auto at120 = lightOf("120° parhelion");
+  checkAllAt(at120, &Kept::elevation, kSun);
+  checkAllAt(at120, &Kept::azimuth, 120.0);
+  for (const char* name : {"subsun", "sun pillar"}) {  // of plates that do not tilt a pillar is the subsun
+    const auto light = lightOf(name);
+    checkAllAt(light, &Kept::elevation, -kSun);
+    CHECK(most(light, &Kept::azimuth) < 1e-4);
+  }
+}
+
+TEST_CASE("columns' arcs are where closed forms put them") {
+  // Light of 90 degree wedges: the supralateral arc touches the 46 degree ring, the infralateral arcs go on below.
+  for (const char* name : {"supralateral arc", "infralateral arc"}) {
+    const auto light = lightOf(name, kSun, 2.0);
+    CHECK(least(light, &Kept::deviation) > 45.733 - 1e-3);
+    CHECK(least(light, &Kept::deviation) < 45.733 + 0.1);
+  }
+  // Of light that would make tangent arcs, an end's reflection turns around what goes along the axis.
+  const auto wegener = lightOf("Wegener arc", kSun, 2.0);
+  CHECK(least(wegener, &Kept::deviation) > 21.839 - 1e-3);
+  CHECK(least(wegener, &Kept::deviation) < 21.839 + 0.3);
+  const auto hastings = lightOf("Hastings arc", kSun, 2.0);
+  CHECK(least(hastings, &Kept::deviation) > 21.839 - 1e-3);
+  // In the sun's vertical the upper suncave Parry arc stands where its closed form says.
+  auto parry = lightOf("Parry arc", kSun, 2.0);
+  std::erase_if(parry, [](const Kept& one) { return one.azimuth > 1.0 || one.elevation < 45.0; });
+  REQUIRE(parry.size() > 20);
+  CHECK(std::abs(peak(parry, &Kept::elevation) - 48.699) < 0.1);
+}
+
+TEST_CASE("every name of a halo keeps light") {
+  for (const HaloPath& halo : haloPaths()) {
+    CAPTURE(halo.name);
+    CHECK_FALSE(lightOf(halo.name, halo.name == "circumhorizontal arc" ? 60.0 : kSun, 1.0, 50'000).empty());
+  }
+}
