@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/measurements.h"
 
+#include "render/traced_sky.h"
 #include "trace/engine.h"
 #include "trace/ray_source.h"
 
@@ -10,13 +11,6 @@ TraceSettings settingsOfMeasurement(const Cloud& cloud, const TraceSettings& ask
   TraceSettings settings = asked;
   settings.symmetry = Symmetry::none;
   return chosenSettings(cloud, settings);
-}
-
-TracedMap traceMap(const Scene& scene, int binsPerHalfTurn, const TraceControl& control) {
-  const Cloud cloud = cloudOf(scene);
-  TracedMap traced{{{}, settingsOfMeasurement(cloud, scene.trace)}, SkyMap(cloud.sun().toCentre(), binsPerHalfTurn)};
-  traced.report = traceRays(cloud, traced.settings, 0, traced.map, control);
-  return traced;
 }
 
 Image mapPicture(const SkyMap& map) {
@@ -30,13 +24,6 @@ Image mapPicture(const SkyMap& map) {
       image.channels[1].samples[pixel] = static_cast<float>(map.error(column, row));
     }
   return image;
-}
-
-TracedProfile traceProfile(const Scene& scene, int bins, double from, double to, const TraceControl& control) {
-  const Cloud cloud = cloudOf(scene);
-  TracedProfile traced{{{}, settingsOfMeasurement(cloud, scene.trace)}, ScatterProfile(bins, from, to)};
-  traced.report = traceRays(cloud, traced.settings, 0, traced.profile, control);
-  return traced;
 }
 
 LightPath replayRay(const Scene& scene, const Cloud& cloud, std::uint64_t ray) {

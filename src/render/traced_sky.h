@@ -15,14 +15,10 @@ Cloud cloudOf(const Scene& scene);
 /// engine stays `automatic` where not all crystals are convex, for then each gets its own.
 TraceSettings chosenSettings(const Cloud& cloud, const TraceSettings& asked);
 
-/// How a scene was traced.
-struct TracedScene {
+/// A scene traced into the tally of its camera.
+struct TracedSky {
   TraceReport report;
   TraceSettings settings;  // as chosen
-};
-
-/// A scene traced into the tally of its camera.
-struct TracedSky : TracedScene {
   Tally tally;
 };
 
