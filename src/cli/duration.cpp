@@ -74,6 +74,9 @@ CLI::Validator durationInSeconds(double least, double most) {
 }
 
 std::string durationText(double seconds) {
+  constexpr double kForever =
+      1e15;  // s, 30 million years; minutes of more than some thousand times that fit no integer
+  if (!(seconds < kForever)) return "forever";
   char text[64];
   const auto write = [&](const char* format, auto... values) {
     std::snprintf(text, sizeof text, format, values...);

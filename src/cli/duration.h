@@ -19,7 +19,7 @@ CLI::Validator duration(double least, double most, std::string also = {});
 /// For an option's transform(): the same, and turns the time into seconds.
 CLI::Validator durationInSeconds(double least, double most);
 
-/// A time as people read it: "40 s", "12 min", "3 h 20 min", "2 d 5 h".
+/// A time as people read it: "40 s", "12 min", "3 h 20 min", "2 d 5 h"; "forever" from 30 million years on.
 std::string durationText(double seconds);
 
 }  // namespace parhelion::cli

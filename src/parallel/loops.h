@@ -7,6 +7,8 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
+#include "parallel/loop_order.h"
+
 // What a loop's function writes must depend on its argument alone: then the bits are the same for any number of
 // threads.
 
@@ -15,16 +17,19 @@ namespace parhelion {
 /// Calls f(i) for i = 0 ... count - 1 in parallel, each call being work enough for a thread.
 template <class Index, class F>
 void forEach(Index count, const F& f) {
-  tbb::parallel_for(Index{0}, count, f);
+  LoopOrder order;
+  tbb::parallel_for(Index{0}, count, order.around(f));
 }
 
 /// Calls f(y) for y = 0 ... height - 1 in parallel, several rows to a piece of work.
 template <class F>
 void forRows(int height, const F& f) {
   constexpr int kRows = 8;  // at least, in a piece
-  tbb::parallel_for(tbb::blocked_range<int>(0, height, kRows), [&](const auto& rows) {
+  LoopOrder order;
+  const auto ofRows = [&](const auto& rows) {
     for (int y = rows.begin(); y != rows.end(); ++y) f(y);
-  });
+  };
+  tbb::parallel_for(tbb::blocked_range<int>(0, height, kRows), order.around(ofRows));
 }
 
 /// The sum of f(y), a number or a vector, over all rows: rows in parallel, the sum itself in their order.

@@ -11,6 +11,7 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
+#include <string_view>
 #include <system_error>
 
 #include "picture/file_reason.h"
@@ -36,6 +37,22 @@ int rowsTogether(Imf::Compression codec) {
       return 1;
   }
 }
+
+/// Bytes of a value, by the attribute's type. OpenEXR reads so many, whatever size the file states.
+struct TypeSize {
+  std::string_view type;
+  std::uint32_t bytes;
+};
+constexpr std::array kTypeSizes{
+    TypeSize{"box2f", 16},      TypeSize{"box2i", 16},   TypeSize{"chromaticities", 32},
+    TypeSize{"compression", 1}, TypeSize{"double", 8},   TypeSize{"deepImageState", 1},
+    TypeSize{"envmap", 1},      TypeSize{"float", 4},    TypeSize{"int", 4},
+    TypeSize{"keycode", 28},    TypeSize{"m33d", 72},    TypeSize{"m33f", 36},
+    TypeSize{"lineOrder", 1},   TypeSize{"m44d", 128},   TypeSize{"m44f", 64},
+    TypeSize{"rational", 8},    TypeSize{"timecode", 8}, TypeSize{"v2d", 16},
+    TypeSize{"v2f", 8},         TypeSize{"v2i", 8},      TypeSize{"v3d", 24},
+    TypeSize{"v3f", 12},        TypeSize{"v3i", 12},
+};
 
 /// Walks through the headers of an EXR file. OpenEXR file layout, "Header": attributes are name, type, size, value;
 /// an empty name ends a header, in a multi-part file another empty name ends the list of headers.
@@ -115,10 +132,33 @@ class HeaderWalk {
     if (type == "stringvector" || type == "idmanifest")
       throw exrError(path_, "attributes of type " + type + " are not read");
     if (type == "tiledesc") notFlat();
-    const std::uint64_t end = static_cast<std::uint64_t>(stream_.tellg()) + bytes;
+    const std::streamoff end = stream_.tellg() + static_cast<std::streamoff>(bytes);
+    if (!fits(type, bytes)) damaged();
+    stream_.seekg(end - static_cast<std::streamoff>(bytes));
     note(attribute, type);
-    stream_.seekg(static_cast<std::streamoff>(end));
+    stream_.seekg(end);
     return true;
+  }
+
+  /// Whether OpenEXR will read as many bytes of a value as the file states. Else it would go on with the next attribute
+  /// at another place than this walk, and find sizes there that nobody has looked at.
+  bool fits(const std::string& type, std::uint32_t bytes) {
+    const auto* const fixed = std::ranges::find(kTypeSizes, type, &TypeSize::type);
+    if (fixed != kTypeSizes.end()) return bytes == fixed->bytes;
+    if (type == "floatvector") return bytes % sizeof(float) == 0;
+    if (type == "chlist") return channelBytes() == bytes;
+    if (type != "preview") return true;
+    const std::uint64_t width = number(), height = number();
+    constexpr std::uint64_t kOfPixel = 4, kSides = 8;
+    return stream_ && width <= bytes && height <= bytes && kSides + kOfPixel * width * height == bytes;
+  }
+
+  /// Bytes of the list of channels that comes next: names with what is known of each, up to an empty name.
+  std::uint64_t channelBytes() {
+    constexpr std::streamoff kOfChannel = 16;  // type, linearity, sampling
+    const std::streamoff start = stream_.tellg();
+    while (!name().empty()) stream_.seekg(kOfChannel, std::ios::cur);
+    return static_cast<std::uint64_t>(stream_.tellg() - start);
   }
 
   [[noreturn]] void notFlat() const { throw exrError(path_, "only flat EXR files of scan lines are read"); }

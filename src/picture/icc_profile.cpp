@@ -2,14 +2,18 @@
 #include "picture/icc_profile.h"
 
 #include <lcms2.h>
+#include <lcms2_plugin.h>
+#include <malloc.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <memory>
 #include <stdexcept>
 #include <type_traits>
 
+#include "picture/limits.h"
 #include "picture/transfer.h"
 
 namespace parhelion {
@@ -27,6 +31,44 @@ struct CloseTransform {
 using Context = std::unique_ptr<std::remove_pointer_t<cmsContext>, Close>;  // its errors go nowhere
 using Profile = std::unique_ptr<void, CloseProfile>;
 using Transform = std::unique_ptr<void, CloseTransform>;
+
+/// Memory that lcms2 has taken for a context, whose user data this is. A profile of a few bytes can promise tables of
+/// gigabytes.
+struct Memory {
+  std::uint64_t taken = 0;  // bytes
+};
+
+/// None while a context is not yet complete.
+Memory* memoryOf(cmsContext context) { return static_cast<Memory*>(cmsGetContextUserData(context)); }
+
+void release(cmsContext context, void* memory) {
+  if (Memory* const all = memoryOf(context)) all->taken -= ::malloc_usable_size(memory);
+  std::free(memory);
+}
+
+/// Null, as where there is no more memory, if it were too much.
+void* resized(cmsContext context, void* memory, cmsUInt32Number size) {
+  Memory* const all = memoryOf(context);
+  if (all && all->taken + size > kMostProfileMemory) return nullptr;
+  const std::size_t before = ::malloc_usable_size(memory);
+  void* const now = std::realloc(memory, size);
+  if (all && now) all->taken += ::malloc_usable_size(now) - before;
+  return now;
+}
+
+void* allocated(cmsContext context, cmsUInt32Number size) { return resized(context, nullptr, size); }
+
+/// A context for a profile of others.
+Context limitedContext(Memory& memory) {
+  cmsPluginMemHandler handler{};
+  handler.base = {cmsPluginMagicNumber, LCMS_VERSION, cmsPluginMemHandlerSig, nullptr};
+  handler.MallocPtr = allocated;
+  handler.FreePtr = release;
+  handler.ReallocPtr = resized;
+  Context context(cmsCreateContext(&handler, &memory));
+  if (!context) throw std::bad_alloc();
+  return context;
+}
 
 // Profiles of sRGB by different makers differ by up to 1.4 steps of 8 bits (old GIMP's and darktable's, pure green).
 constexpr double kSameColour = 2.0 / 255.0;
@@ -80,12 +122,13 @@ bool isUsualGrey(cmsHPROFILE profile) {
 }  // namespace
 
 std::string profileObjection(std::span<const std::uint8_t> bytes, bool grey) {
-  const Context context(cmsCreateContext(nullptr, nullptr));
-  if (!context) throw std::bad_alloc();
+  Memory memory;
+  const Context context = limitedContext(memory);
   const Profile profile(
       cmsOpenProfileFromMemTHR(context.get(), bytes.data(), static_cast<cmsUInt32Number>(bytes.size())));
   if (!profile) return kDamaged;
-  const cmsColorSpaceSignature space = cmsGetColorSpace(profile.get());
+  // The file's own number: an enumeration of C++ must not hold others than its enumerators need.
+  const cmsUInt32Number space = cmsGetColorSpace(profile.get());
   if (space == cmsSigRgbData && isSrgb(context.get(), profile.get())) return {};
   if (space == cmsSigGrayData && grey && isUsualGrey(profile.get())) return {};
   return "its colours are in the profile \"" + nameOf(profile.get()) + "\", not sRGB";

@@ -23,6 +23,9 @@ inline constexpr std::uint64_t kUnaskedMemory = 1'000'000'000;  // bytes: a phot
 inline constexpr std::uint64_t kUnaskedTimesFile = 200;         // lossless pictures of the sky are packed 2 to 100 to 1
 inline constexpr std::uint64_t kSmallMemory = 1 << 24;          // bytes, for which nobody is asked
 
+// ICC profiles, in whatever they are embedded.
+inline constexpr std::uint64_t kMostProfileMemory = 1 << 26;  // bytes; a table of 33^3 colours takes one million
+
 // JPEG.
 inline constexpr std::uintmax_t kMostJpegBytes = std::uintmax_t{1}
                                                  << 30;  // the largest picture in best quality is less

@@ -14,13 +14,13 @@ PngChunks walkPng(std::FILE* file) {
   std::fseek(file, 0, SEEK_END);
   const long size = std::ftell(file);
   long at = kSignature;
-  while (!found.whole && at + kHead + kSum <= size) {
+  while (!found.whole && at + kHead <= size) {
     std::array<unsigned char, kHead> head{};
     std::fseek(file, at, SEEK_SET);
     if (std::fread(head.data(), 1, head.size(), file) != head.size()) break;
     const std::uint32_t length = static_cast<std::uint32_t>(head[0]) << 24 | head[1] << 16 | head[2] << 8 | head[3];
     const std::string kind(head.begin() + 4, head.end());
-    const bool fits = length <= static_cast<std::uint64_t>(size - at - kHead - kSum);
+    const bool fits = static_cast<std::int64_t>(length) <= size - at - kHead - kSum;
     if ((!fits || length > kMostPngChunk) && kind != "IDAT") found.large.insert(kind);
     if (!fits) break;
     at += kHead + static_cast<long>(length) + kSum;

@@ -205,6 +205,20 @@ std::optional<Vec3> Camera::directionAt(Vec2 pixel) const {
   return direction && cutsHorizon() && direction->z < -kCosineSlack ? std::nullopt : direction;
 }
 
+template <class Facts>
+std::optional<Vec3> Camera::azimuthalDirection(Facts facts, Vec2 p) const {
+  double r2 = p.x * p.x + p.y * p.y;
+  const double r = std::sqrt(r2);
+  if (r > circleRadius_) return std::nullopt;
+  if (!settings_.distortion.none() && r > 0.0) {
+    const double ideal = settings_.distortion.undistorted(r, idealRadius_);
+    p *= ideal / r;
+    r2 = ideal * ideal;
+  }
+  const auto [cosine, sinePerRadius] = facts.atSquaredRadius(r2);
+  return sinePerRadius * (p.x * right_ + p.y * up_) + cosine * forward_;
+}
+
 std::optional<Vec3> Camera::directionThere(Vec2 pixel) const {
   const bool isBack = discStep_ > 0.0 && pixel.x >= discStep_;
   const double x = isBack ? pixel.x - discStep_ : pixel.x;
@@ -221,20 +235,6 @@ std::optional<Vec3> Camera::directionThere(Vec2 pixel) const {
       return inCamera->x * right_ + inCamera->y * up_ + inCamera->z * forward_;
     }
   });
-}
-
-template <class Facts>
-std::optional<Vec3> Camera::azimuthalDirection(Facts facts, Vec2 p) const {
-  double r2 = p.x * p.x + p.y * p.y;
-  const double r = std::sqrt(r2);
-  if (r > circleRadius_) return std::nullopt;
-  if (!settings_.distortion.none() && r > 0.0) {
-    const double ideal = settings_.distortion.undistorted(r, idealRadius_);
-    p *= ideal / r;
-    r2 = ideal * ideal;
-  }
-  const auto [cosine, sinePerRadius] = facts.atSquaredRadius(r2);
-  return sinePerRadius * (p.x * right_ + p.y * up_) + cosine * forward_;
 }
 
 Vec3 Camera::directionWithin(Vec2 place, bool isBack) const {

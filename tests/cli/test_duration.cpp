@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <doctest/doctest.h>
 
+#include <limits>
+
 #include "cli/duration.h"
 
 using namespace parhelion::cli;
@@ -24,4 +26,6 @@ TEST_CASE("times are told in the units that people use for them") {
   CHECK(durationText(7200.0) == "2 h");
   CHECK(durationText(12'000.0) == "3 h 20 min");
   CHECK(durationText(2 * 86'400.0 + 5 * 3600.0) == "2 d 5 h");
+  for (const double endless : {1e15, 1e98, std::numeric_limits<double>::infinity()})
+    CHECK(durationText(endless) == "forever");
 }

@@ -26,8 +26,11 @@ TEST_CASE("every script tells what it does, refuses what it does not know, and d
       CHECK_MESSAGE(lines(refused.err) == 1, refused.err);
     }
   }
-  for (const char* extra :
-       {"fuzz 5 6", "figures a b c", "bench --quick rays more", "test ring", "test --bogus-regex x"})
+  // A target that is there, so that it is what follows that is refused.
+  std::filesystem::create_directories(folder / "tests/fuzz/corpus/png");
+  for (const char* extra : {"fuzz 5 6", "fuzz jpeg", "fuzz png x", "fuzz png 5x", "fuzz all 5 6x", "fuzz png 5 6 7",
+                            "figures a b c", "bench --quick rays more", "test ring", "test --bogus-regex x",
+                            "sanitize ring", "sanitize thread ring", "sanitize thread --bogus-regex x"})
     CHECK_MESSAGE(run(folder, std::string("scripts/") + extra).exit == 2, extra);
   for (const char* name : {"out", "build", "--help", "--bogus", "docs"})
     CHECK_FALSE(std::filesystem::exists(folder / name));

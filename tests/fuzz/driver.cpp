@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stands in for libFuzzer, whose targets it takes: shows a target all files of a folder, and then mutations of them, the
-// same ones each time.
+// Stands in for libFuzzer, whose targets it takes: shows a target all files of a folder, and then mutations of them,
+// the same ones each time.
 //   fuzz_NAME CORPUS [MUTATIONS [SEED]]
-// An input that takes longer than a second, or makes the process larger than a gigabyte, ends it like a crash. The
-// input is left in a file, whose name is printed.
+// An input that takes longer than the target allows, or makes the process larger than a gigabyte, ends it like a crash.
+// The input is left in a file, whose name is printed.
 #include <sys/resource.h>
-#include <sys/time.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -43,12 +42,7 @@ void leave(int signal) {
 
 void show(const std::string& input) {
   current = input;
-  // Other processes may have the processor: it is the target's own time that counts.
-  const itimerval second{{0, 0}, {1, 0}};
-  ::setitimer(ITIMER_VIRTUAL, &second, nullptr);
   LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(current.data()), current.size());
-  const itimerval none{};
-  ::setitimer(ITIMER_VIRTUAL, &none, nullptr);
 }
 
 std::string mutated(std::string input, const std::vector<std::string>& corpus, std::mt19937_64& random) {

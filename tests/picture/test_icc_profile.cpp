@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <doctest/doctest.h>
 
+#include "memory_taken.h"
 #include "picture/icc_profile.h"
 #include "picture/transfer.h"
 #include "picture_files.h"
@@ -72,6 +73,18 @@ TEST_CASE("a damaged profile is told as such and never crashes") {
     CHECK(objection(bytes.substr(0, i % 3 == 0 ? random() % bytes.size() : bytes.size())).find('\n') ==
           std::string::npos);
   }
+}
+
+TEST_CASE("a profile that promises names in a million languages takes little memory") {
+  const std::vector<std::uint8_t> sound = srgbProfile();
+  std::string profile(sound.begin(), sound.end());
+  // ICC.1:2010, 10.13: behind "mluc" and four bytes comes the number of names.
+  const std::size_t at = profile.find("mluc");
+  REQUIRE(at != std::string::npos);
+  profile[at + 8] = 1;
+  profile.replace(profile.find("RGB "), 4, "CMYK");  // so that the name is asked for
+  CHECK(megabytesOf([&] { objection(profile); }) < 80);
+  CHECK(objection(profile).find("not sRGB") != std::string::npos);
 }
 
 }  // namespace parhelion

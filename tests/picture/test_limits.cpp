@@ -72,6 +72,11 @@ TEST_CASE("a PNG chunk that is longer than its file takes no memory") {
       CHECK(errorOf([&] { readPhotograph(directory / "bad.png"); }) != "");
       CHECK(errorOf([&] { readPhotographHeader(directory / "bad.png"); }) != "");
     }
+    // Nothing is behind its length and kind, or less than a checksum.
+    for (const char* rest : {"", "abc"}) {
+      put(directory / "bad.png", sound.substr(0, afterHeader) + bigEndian(0x7ffffff0U) + kind + rest);
+      CHECK(megabytesOf([&] { errorOf([&] { readPhotograph(directory / "bad.png"); }); }) < kFew);
+    }
   }
 }
 
@@ -164,6 +169,53 @@ TEST_CASE("EXR files of a billion tiles, of deep pixels or of thousands of parts
     const std::vector<std::string> refusals = refusalsOf(path);
     for (int way = 0; way < 3; ++way) CHECK(refusals[static_cast<std::size_t>(way)] != "");
   }
+}
+
+TEST_CASE("an EXR attribute of another size than its type is refused, as OpenEXR would go on within it") {
+  const TemporaryDirectory directory;
+  const auto path = directory / "bad.exr";
+  Image black{4, 3, {}};
+  for (const char* name : {"R", "G", "B"}) black.add(name);
+  writeBeautyExr(path, black, {});
+  const std::string whole = contents(path);
+  const auto refusalOf = [&](const std::string& type, const std::string& value) {
+    constexpr std::size_t kStart = 8;  // of the first attribute
+    put(path, whole.substr(0, kStart) + exrAttribute("first", type, value) + whole.substr(kStart));
+    return errorOf([&] { readExrAttributes(path); });
+  };
+  const std::string zero(1, '\0'), promise = "after" + zero + "opaque" + zero + littleEndian(0x7fffffff);
+  const std::string channel = "Y" + zero + std::string(16, '\1'), pixels = littleEndian(1) + littleEndian(2);
+  std::string film;  // numbers that a key code may have
+  for (const std::uint32_t number : {1, 1, 1, 1, 1, 4, 64}) film += littleEndian(number);
+  const std::vector<std::pair<std::string, std::string>> sound{{"box2f", std::string(16, '\1')},
+                                                               {"box2i", std::string(16, '\1')},
+                                                               {"chlist", channel + channel + zero},
+                                                               {"chromaticities", std::string(32, '\1')},
+                                                               {"double", std::string(8, '\1')},
+                                                               {"envmap", zero},
+                                                               {"float", std::string(4, '\1')},
+                                                               {"floatvector", std::string(20, '\1')},
+                                                               {"int", std::string(4, '\1')},
+                                                               {"keycode", film},
+                                                               {"m33d", std::string(72, '\1')},
+                                                               {"m33f", std::string(36, '\1')},
+                                                               {"m44d", std::string(128, '\1')},
+                                                               {"m44f", std::string(64, '\1')},
+                                                               {"preview", pixels + std::string(8, '\1')},
+                                                               {"rational", std::string(8, '\1')},
+                                                               {"timecode", std::string(8, '\1')},
+                                                               {"v2d", std::string(16, '\1')},
+                                                               {"v2f", std::string(8, '\1')},
+                                                               {"v2i", std::string(8, '\1')},
+                                                               {"v3d", std::string(24, '\1')},
+                                                               {"v3f", std::string(12, '\1')},
+                                                               {"v3i", std::string(12, '\1')}};
+  for (const auto& [type, value] : sound) {
+    CHECK_MESSAGE(refusalOf(type, value) == "", type);
+    CHECK_MESSAGE(refusalOf(type, value + promise).find("header is damaged") != std::string::npos, type);
+    CHECK_MESSAGE(refusalOf(type, value.substr(1)).find("header is damaged") != std::string::npos, type);
+  }
+  CHECK(refusalOf("a type of others", promise) == "");
 }
 
 }  // namespace parhelion
