@@ -6,7 +6,7 @@
 parhelion_test(math USES parhelion_math CASES "*thread*")  # its precompiled header serves the others
 parhelion_test(sky USES parhelion_sky FILES "test_(deposit_buffer|tally).cpp" CASES "*thread*")
 parhelion_test(trace USES parhelion_trace FILES "test_(radial_film|ray_source|symmetry|trace|tracer).cpp"
-  CASES "*thread*,*stop*,*part*")
+  CASES "*thread*,*stop*,*parts*")
 parhelion_test(recon USES parhelion_recon CASES "*thread*")
 parhelion_test(photo USES parhelion_photo FILES "/(test_added_halo|test_find_sky|landscapes|painting).cpp"
   CASES "*thread*")

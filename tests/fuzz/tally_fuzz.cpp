@@ -113,7 +113,8 @@ void addAndTakeOut(Tally tally, Origin Tally::*origin, const Add& add, const Tak
 }
 
 void useSky(const std::filesystem::path& path) {
-  const Tally tally = readTallyExr(path);
+  Tally tally = readTallyExr(path);
+  if (tally.rings()) tally.spreadRings();  // a file may hold other pixels, which adding makes anew
   addAndTakeOut(
       tally, &Tally::info, [](Tally& all, const Tally& more) { all.merge(more); },
       [](Tally& all, const Tally& more) { all.subtract(more); },
