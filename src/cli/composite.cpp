@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <memory>
 
+#include <nlohmann/json.hpp>
+
 #include "cli/commands.h"
 #include "cli/file_words.h"
 #include "cli/halo_options.h"
@@ -11,16 +13,17 @@
 #include "cli/outputs.h"
 #include "cli/photo_options.h"
 #include "cli/say.h"
+#include "cli/stats.h"
 #include "parallel/threads.h"
 #include "photo/found_mask.h"
 #include "photo/sky_match.h"
+#include "picture/memory_limit.h"
 #include "render/composite.h"
+#include "render/needs.h"
 
 namespace parhelion::cli {
 
 namespace {
-
-constexpr int kBytesForUse = 36;  // a pixel: sky, mask and the picture that is written
 
 struct CompositeOptions {
   std::string photo, output, mask, maskOutput, layers, white = "sun";
@@ -107,12 +110,14 @@ int runComposite(const CompositeOptions& options) {
   const bool quiet = options.halo.run.quiet;
   requireFit(options.photo, Wanted::photograph);
   if (!options.mask.empty()) requireFit(options.mask, Wanted::photograph);
-  Photograph photograph = readPhotograph(options.photo, options.camera.rules(kBytesForUse));
+  Photograph photograph = readPhotograph(options.photo, options.camera.rules(kCompositeBytes));
   const PhotoCamera camera = options.camera.camera(photograph, options.photo, options.halo.sunElevation());
   sayAll(camera.remarks, quiet);
 
+  requireMemory(options.photo + ":", memoryToComposite(photograph.pixels(), options.halo.memoryFor(camera)));
   const SkyMask mask = maskOf(options, photograph, camera);
-  const PhotoHalo halo = options.halo.make(camera, options.camera.rules(0).editedPictures(), outputs);
+  const MadeHalo made = options.halo.make(camera, options.camera.rules(0).editedPictures());
+  const PhotoHalo& halo = made.halo;
   const HaloStrength strength =
       haloStrength(strengthSettings(options), photograph, mask, camera.camera, camera.sunElevation, halo.lookup);
   sayAll(strength.remarks, quiet);
@@ -122,6 +127,8 @@ int runComposite(const CompositeOptions& options) {
   const double pixels = static_cast<double>(photograph.pixels());
   const AddedHaloReport done = writeComposite(files, std::move(photograph), {halo.lookup, mask, strength.perRadiance},
                                               camera, halo.attributes, options.halo.run.threads);
+  const std::string& stats = options.halo.run.stats;
+  if (!stats.empty() && made.figures) writeJson(outputs.at(stats), statsJson(*made.figures));
   outputs.commit();
   if (!quiet) report(options, pixels, done);
   return kDone;

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/halo_options.h"
 
+#include <utility>
+
 #include "cli/commands.h"
 #include "cli/file_words.h"
 #include "cli/number_options.h"
 #include "cli/trace_watch.h"
-#include "picture/memory_limit.h"
 #include "render/needs.h"
 
 namespace parhelion::cli {
@@ -41,19 +42,27 @@ double HaloOptions::sunElevation() const {
   return picture.empty() ? run.load().scene.sun.elevation : sunElevationIn(picture);
 }
 
-PhotoHalo HaloOptions::make(const PhotoCamera& camera, EditedPictures edited, Transaction& outputs) const {
-  return picture.empty() ? render(camera, outputs) : readHalo(picture, camera, edited);
+std::uint64_t HaloOptions::memoryFor(const PhotoCamera& camera) const {
+  if (!picture.empty()) return 0;
+  const Scene scene = sceneFor(camera).coarse.scene;
+  return memoryToReconstruct(skySizeOf(scene), scene.recon, run.threads);
 }
 
-PhotoHalo HaloOptions::render(const PhotoCamera& camera, Transaction& outputs) const {
+MadeHalo HaloOptions::make(const PhotoCamera& camera, EditedPictures edited) const {
+  return picture.empty() ? render(camera) : MadeHalo{readHalo(picture, camera, edited), {}};
+}
+
+HaloScene HaloOptions::sceneFor(const PhotoCamera& camera) const {
   const SceneLoader load = [this](const std::vector<std::string>& overrides) { return run.load(overrides); };
-  const HaloScene scene = haloSceneFor(camera, coarseness, load);
-  const Scene& coarse = scene.coarse.scene;
-  requireMemory("the halo", memoryToReconstruct(skySizeOf(coarse), coarse.recon, run.threads));
-  TraceWatch watch(run, scene.coarse.scene.trace.rays, nullptr);
+  return haloSceneFor(camera, coarseness, load);
+}
+
+MadeHalo HaloOptions::render(const PhotoCamera& camera) const {
+  const HaloScene scene = sceneFor(camera);
+  TraceWatch watch(run, scene.coarse.scene.trace.rays);
   const TracedSky traced = traceSky(scene.coarse, cloudOf(scene.coarse.scene), watch.control());
-  watch.report(traced, outputs);
-  return haloOf(traced, scene, camera, run.threads);
+  RunFigures figures = watch.report(traced);
+  return {haloOf(traced, scene, camera, run.threads), std::move(figures)};
 }
 
 }  // namespace parhelion::cli

@@ -1,14 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 
 #include "cli/run_options.h"
-#include "picture/transaction.h"
+#include "cli/stats.h"
 #include "render/halo_source.h"
 
 namespace parhelion::cli {
+
+/// A halo, and what is told of its run if it was rendered.
+struct MadeHalo {
+  PhotoHalo halo;
+  std::optional<RunFigures> figures;
+};
 
 /// Where the halo for a photograph comes from: a scene that is rendered into the photograph's camera, or the picture of
 /// a render.
@@ -27,12 +34,15 @@ struct HaloOptions {
   /// What the scene says of the sun, rad.
   double sunElevation() const;
 
-  /// The halo as this camera sees it, with the sun where it saw it; figures of the run go to `outputs`. Throws
-  /// std::runtime_error, SceneError.
-  PhotoHalo make(const PhotoCamera& camera, EditedPictures edited, Transaction& outputs) const;
+  /// Memory for rendering the halo of this camera, bytes; 0 where there is nothing to be rendered.
+  std::uint64_t memoryFor(const PhotoCamera& camera) const;
+
+  /// The halo as this camera sees it, with the sun where it saw it. Throws std::runtime_error, SceneError.
+  MadeHalo make(const PhotoCamera& camera, EditedPictures edited) const;
 
  private:
-  PhotoHalo render(const PhotoCamera& camera, Transaction& outputs) const;
+  HaloScene sceneFor(const PhotoCamera& camera) const;
+  MadeHalo render(const PhotoCamera& camera) const;
 };
 
 }  // namespace parhelion::cli

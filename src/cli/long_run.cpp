@@ -98,6 +98,7 @@ void LongRun::trace() {
   const std::unique_ptr<RayTracer> tracer =
       task_.tracers.make(task_.cloud, task_.settings, sums_, task_.run.threads, valueOf<Simd>(task_.run.simd));
   report_ = traceRun(*tracer, film, sums_.origin().rays, missing, task_.cloud.bundleSize(), control());
+  cpuSeconds_ = processUsage().cpuSeconds;
   progress_.finish();
 }
 
@@ -168,7 +169,12 @@ void LongRun::checkpointOnTheWay() {
   if (!tryCheckpoint()) return;
   wroteCheckpoint_ = true;
   raysOnDisk_ = sums_.origin().rayCount();
-  const Readable rays = readable(static_cast<double>(sums_.origin().rayCount()));
+  tellOfCheckpoint();
+}
+
+void LongRun::tellOfCheckpoint() {
+  if (isJson()) return tellEvent({{"checkpoint", task_.checkpoint.string()}, {"rays", raysOnDisk_}});
+  const Readable rays = readable(static_cast<double>(raysOnDisk_));
   char text[64];
   std::snprintf(text, sizeof text, "checkpoint: %.4g%s rays in ", rays.value, rays.suffix);
   tell(text + task_.checkpoint.string());
@@ -183,10 +189,7 @@ bool LongRun::tryCheckpoint() {
     keepsPrevious_ = true;
     failed_ = false;
   } catch (const std::runtime_error& error) {
-    if (!failed_) {
-      progress_.finish();
-      say("parhelion: warning: no checkpoint: %s", error.what());
-    }
+    if (!failed_) warn(std::string("no checkpoint: ") + error.what());
     failed_ = true;
   }
   return !failed_;
@@ -196,21 +199,24 @@ void LongRun::writeLastCheckpoint() {
   const bool leavesOne = task_.longRun.leavesCheckpoint() || wroteCheckpoint_ || report_.end == RunEnd::stopped;
   if (task_.checkpoint.empty() || !leavesOne || !tryCheckpoint()) return;
   isSaved_ = true;
-  tell("wrote " + task_.checkpoint.string());
+  raysOnDisk_ = sums_.origin().rayCount();
+  isJson() ? tellOfCheckpoint() : tell("wrote " + task_.checkpoint.string());
 }
 
-void LongRun::report(Transaction& outputs) const {
+void LongRun::report() const {
+  if (task_.run.quiet) return;
   const std::uint64_t held = sums_.origin().rayCount();
-  if (!task_.run.quiet) {
-    printLedger(report_);
-    if (held != report_.rays) say("with those traced before %" PRIu64 " rays", held);
-    if (report_.error)
-      say("error: %s%s", percent(*report_.error).c_str(),
-          *report_.error <= task_.longRun.goal() ? "" : ", more than was asked for");
-  }
+  printLedger(report_);
+  if (held != report_.rays) say("with those traced before %" PRIu64 " rays", held);
+  if (report_.error)
+    say("error: %s%s", percent(*report_.error).c_str(),
+        *report_.error <= task_.longRun.goal() ? "" : ", more than was asked for");
+}
+
+void LongRun::writeStats(Transaction& outputs) const {
   if (task_.run.stats.empty()) return;
-  nlohmann::ordered_json json = statsJson(task_.settings, report_, task_.run.threads);
-  json["rays_held"] = held;
+  nlohmann::ordered_json json = statsJson({task_.settings, report_, task_.run.threads, cpuSeconds_});
+  json["rays_held"] = sums_.origin().rayCount();
   json["ray_ranges"] = nlohmann::ordered_json::array();
   for (const RayRange& range : sums_.origin().rays) json["ray_ranges"].push_back({range.first, range.end()});
   if (task_.tracers.processes() > 1) {
@@ -240,16 +246,32 @@ int LongRun::exitCode() const {
 void LongRun::tellOfLosses() {
   if (std::exchange(toldOfLosses_, true)) return;
   const std::string file = task_.checkpoint.string();
+  std::string text = "stopping; if a rank is lost, ";
   if (raysOnDisk_ > 0)
-    say("stopping; if a rank is lost, %s holds %" PRIu64 " rays, and --resume %s goes on from them", file.c_str(),
-        raysOnDisk_, file.c_str());
+    text += file + " holds " + std::to_string(raysOnDisk_) + " rays, and --resume " + file + " goes on from them";
   else
-    say("stopping; if a rank is lost, nothing of this run is on disk: there was no checkpoint yet");
+    text += "nothing of this run is on disk: there was no checkpoint yet";
+  isJson() ? tellEvent({{"remark", text}}) : say("%s", text.c_str());
 }
 
+/// Whether each line that is written while the run lasts is to be JSON.
+bool LongRun::isJson() const { return progressStyle(task_.run.quiet, task_.run.progress) == Progress::Style::json; }
+
 void LongRun::tell(const std::string& text) {
+  if (isJson()) return tellEvent({{"remark", text}});
   progress_.finish();
   if (!task_.run.quiet) say("%s", text.c_str());
+}
+
+void LongRun::warn(const std::string& text) {
+  if (isJson()) return tellEvent({{"warning", text}});
+  progress_.finish();
+  say("parhelion: warning: %s", text.c_str());
+}
+
+void LongRun::tellEvent(const nlohmann::ordered_json& event) {
+  // In ASCII, of which say() changes nothing; a path need not be UTF-8.
+  say("%s", event.dump(-1, ' ', true, nlohmann::ordered_json::error_handler_t::replace).c_str());
 }
 
 }  // namespace parhelion::cli

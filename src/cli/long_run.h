@@ -6,6 +6,8 @@
 #include <optional>
 #include <string>
 
+#include <nlohmann/json_fwd.hpp>
+
 #include "cli/long_run_options.h"
 #include "cli/outputs.h"
 #include "cli/progress.h"
@@ -44,8 +46,12 @@ class LongRun {
   /// damaged, or the run fails.
   void trace();
 
-  /// After trace(): prints the energy ledger and writes the stats file as one of the outputs.
-  void report(Transaction& outputs) const;
+  /// After trace(): prints the energy ledger.
+  void report() const;
+
+  /// Writes the stats file as one of the outputs. To be called when all work is done: it tells how much memory that
+  /// took.
+  void writeStats(Transaction& outputs) const;
 
   /// Writes the sums as an output of the command, which is to be committed right away. Throws std::runtime_error.
   void writeSums(const Output& output);
@@ -60,8 +66,6 @@ class LongRun {
   /// What the program is to end with, if all else goes well.
   int exitCode() const;
 
-  const RunReport& result() const { return report_; }
-
  private:
   void goOnFromTally();
   void sayWhatIsMissing(const RayRanges& missing);
@@ -71,7 +75,11 @@ class LongRun {
   std::optional<double> measureError();
   void checkpointOnTheWay();
   bool tryCheckpoint();
+  bool isJson() const;
   void tell(const std::string& text);
+  void warn(const std::string& text);
+  void tellOfCheckpoint();
+  void tellEvent(const nlohmann::ordered_json& event);
   void tellOfLosses();
 
   LongRunTask task_;
@@ -79,6 +87,7 @@ class LongRun {
   const StopSignal& stop_;
   Progress progress_;
   RunReport report_;
+  double cpuSeconds_ = 0.0;       // of the process, when all was traced
   std::uint64_t heldBefore_ = 0;  // of the wanted rays
   std::optional<double> error_;   // as measured last
   bool keepsPrevious_ = true;     // false as long as the checkpoint itself is the damaged one

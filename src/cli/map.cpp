@@ -57,10 +57,10 @@ int runMap(const MapOptions& options, int binsPerHalfTurn, Tracers& tracers) {
                                   {{options.output, leastBytesOfMap(binsPerHalfTurn, !options.toExr())}}},
                                  options.run, options.longRun);
   const StopSignal stop;
-  MeasuredSums<MapTally> sums(emptyMapTally(loaded, cloud, binsPerHalfTurn));
+  MeasuredSums<MapTally> sums([&] { return emptyMapTally(loaded, cloud, binsPerHalfTurn); });
   LongRun run({tracers, options.run, options.longRun, cloud, settings, wanted, tally, {}}, sums, stop);
   run.trace();
-  run.report(outputs);
+  run.report();
   if (!tally.empty()) run.writeSums(outputs.at(tally));
   if (!run.endsWithoutPicture()) {
     const SkyMap& map = sums.tally().sums;
@@ -69,6 +69,7 @@ int runMap(const MapOptions& options, int binsPerHalfTurn, Tracers& tracers) {
     else
       writeText(outputs.at(options.output), csv(map));
   }
+  run.writeStats(outputs);
   outputs.commit();
   return run.exitCode();
 }

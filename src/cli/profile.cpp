@@ -71,16 +71,17 @@ int runProfile(const ProfileOptions& options, Tracers& tracers) {
                                  options.run, options.longRun);
   const StopSignal stop;
   MeasuredSums<ProfileTally> sums(
-      emptyProfileTally(loaded, cloud, options.bins, radians(options.from), radians(options.to)));
+      [&] { return emptyProfileTally(loaded, cloud, options.bins, radians(options.from), radians(options.to)); });
   LongRun run({tracers, options.run, options.longRun, cloud, settings, wanted, tally, {}}, sums, stop);
   run.trace();
-  run.report(outputs);
+  run.report();
   if (!tally.empty()) run.writeSums(outputs.at(tally));
   if (!run.endsWithoutPicture()) {
     const ScatterProfile& profile = sums.tally().sums;
     writeText(outputs.at(options.output), csv(profile));
     if (!options.summary.empty()) writeJson(outputs.at(options.summary), json(profile.summary()));
   }
+  run.writeStats(outputs);
   outputs.commit();
   return run.exitCode();
 }

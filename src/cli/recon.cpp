@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -17,6 +16,7 @@
 #include "cli/stats.h"
 #include "cli/tally_input.h"
 #include "cli/text_output.h"
+#include "parallel/run_clock.h"
 #include "parallel/threads.h"
 #include "picture/memory_limit.h"
 #include "picture/png.h"
@@ -70,6 +70,7 @@ struct ReconRun {
   double seconds = 0.0, cpuSeconds = 0.0;  // of the reconstruction alone
 };
 
+<<<<<<< HEAD
 /// The gains that options ask for. Throws Unfit for layers that the tally does not have.
 LayerGains gainsOf(const ReconOptions& options, const SkyTally& tally) {
   std::vector<std::string_view> accepted(tally.layers().begin(), tally.layers().end());
@@ -98,18 +99,25 @@ LayerGains gainsOf(const ReconOptions& options, const SkyTally& tally) {
 
 ReconRun timedReconstruction(const ReconOptions& options, const SkyTally& tally, const ReconSettings& settings) {
   using Clock = std::chrono::steady_clock;
+=======
+ReconRun timedReconstruction(const ReconOptions& options, const Tally& tally, const ReconSettings& settings) {
+>>>>>>> main
   Progress progress(progressStyle(options.quiet, options.progress), Progress::kOfReconstruction);
   const double cpuBefore = processUsage().cpuSeconds;
-  const Clock::time_point start = Clock::now();
-  const auto elapsed = [start] { return std::chrono::duration<double>(Clock::now() - start).count(); };
+  const RunClock clock;
   Watch watch;
   watch.onProgress = [&](double share) {
-    const double seconds = elapsed();
+    const double seconds = clock.seconds();
     progress.update(share, seconds, [&](Progress::Style style) { return progressLine(style, share, seconds); });
   };
+<<<<<<< HEAD
   const LayerGains gains = gainsOf(options, tally);
   ReconRun run{withThreads(options.threads, [&] { return reconstruct(tally, settings, gains, watch); })};
   run.seconds = elapsed();
+=======
+  ReconRun run{withThreads(options.threads, [&] { return reconstruct(tally, settings, watch); })};
+  run.seconds = clock.seconds();
+>>>>>>> main
   run.cpuSeconds = processUsage().cpuSeconds - cpuBefore;
   return run;
 }
@@ -231,10 +239,14 @@ int runRecon(const ReconOptions& options) {
   // Before the sun is drawn.
   if (!options.confidence.empty())
     writePng(outputs.at(options.confidence), confidence(run.sky.image), {{"Software", kSoftware}});
-  if (!options.stats.empty()) writeReconStats(options, tally, nameOf(loaded.scene.recon), run, outputs);
   printComparison(options, run, references, outputs);
   files.run = &outputs;
+<<<<<<< HEAD
   const WrittenSky written = writeSkyFiles(files, std::move(run.sky.image), tally.info(), loaded);
+=======
+  const WrittenSky written = writeSkyFiles(files, std::move(run.sky.image), tally.info, loaded);
+  if (!options.stats.empty()) writeReconStats(options, tally, nameOf(loaded.scene.recon), run, outputs);
+>>>>>>> main
   outputs.commit();
   if (!options.quiet) reportPicture(files, written, run.sky.remarks);
   return kDone;

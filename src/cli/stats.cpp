@@ -39,8 +39,8 @@ void printLedger(const TraceReport& report) {
       std::abs(energy.imbalance()));
 }
 
-nlohmann::ordered_json statsJson(const TraceSettings& settings, const TraceReport& report, int threads) {
-  const ProcessUsage usage = processUsage();
+nlohmann::ordered_json statsJson(const RunFigures& figures) {
+  const auto& [settings, report, threads, cpuSeconds] = figures;
   const double rays = static_cast<double>(report.rays);
   nlohmann::ordered_json json;
   json["rays"] = report.rays;
@@ -49,7 +49,7 @@ nlohmann::ordered_json statsJson(const TraceSettings& settings, const TraceRepor
   json["rescued_hits"] = report.rescued;
   json["mean_chain_length"] = rays > 0.0 ? static_cast<double>(report.hits) / rays : 0.0;
   json["seconds"] = report.seconds;
-  json["cpu_seconds"] = usage.cpuSeconds;
+  json["cpu_seconds"] = cpuSeconds;
   json["rays_per_second"] = report.seconds > 0.0 ? rays / report.seconds : 0.0;
   json["deposits_placed"] = report.placed;
   json["engine"] = nameOf(settings.engine);
@@ -59,7 +59,7 @@ nlohmann::ordered_json statsJson(const TraceSettings& settings, const TraceRepor
   json["simd_lanes"] = report.simdLanes;
   json["seed"] = settings.seed;
   json["threads"] = threadCount(threads);
-  json["peak_memory_bytes"] = usage.peakMemory;
+  json["peak_memory_bytes"] = processUsage().peakMemory;
   json["energy"] = {{"in", report.energy.in.value()},
                     {"out", report.energy.out.value()},
                     {"filtered", report.energy.filtered.value()},

@@ -13,8 +13,16 @@ namespace parhelion::cli {
 /// Prints on stderr what a run did and how its energy adds up.
 void printLedger(const TraceReport& report);
 
-/// The run's figures; `threads` 0 is one a processor.
-nlohmann::ordered_json statsJson(const TraceSettings& settings, const TraceReport& report, int threads);
+/// What is told of a run of tracing.
+struct RunFigures {
+  TraceSettings settings;
+  TraceReport report;
+  int threads = 0;          // as asked for; 0: one a processor
+  double cpuSeconds = 0.0;  // of the process, when all was traced
+};
+
+/// A run's figures, and the most memory that the process has held until now: to be asked for when all work is done.
+nlohmann::ordered_json statsJson(const RunFigures& figures);
 
 /// What the process has used so far.
 struct ProcessUsage {

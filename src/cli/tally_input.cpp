@@ -18,6 +18,7 @@
 #include "cli/say.h"
 #include "picture/exr.h"
 #include "picture/file_kind.h"
+#include "picture/file_reason.h"
 #include "picture/memory_limit.h"
 #include "render/scene_attributes.h"
 
@@ -38,7 +39,7 @@ std::string tallyName(const std::string& name) { return name == "-" ? "stdin" : 
 
 TallyInputs::Spooled TallyInputs::spooled(const std::string& name) const {
   const int pipe = name == "-" ? ::dup(STDIN_FILENO) : ::open(name.c_str(), O_RDONLY | O_CLOEXEC);
-  if (pipe < 0) fail(name, std::strerror(errno));
+  if (pipe < 0) fail(name, reasonFor(name, errno));
   const Spooled from(::fdopen(pipe, "rb"));
   Spooled to(std::tmpfile());
   if (!from || !to) fail(name, std::strerror(errno));

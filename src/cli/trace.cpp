@@ -39,8 +39,9 @@ int runTrace(const TraceOptions& options, Tracers& tracers) {
                [&] { return std::optional(plainError(sums.tally().flattened())); }},
               sums, stop);
   run.trace();
-  run.report(outputs);
+  run.report();
   run.writeSums(outputs.at(output));
+  run.writeStats(outputs);
   outputs.commit();
   if (!options.run.quiet) say("wrote %s", output.c_str());
   return run.exitCode();

@@ -4,10 +4,6 @@
 #include <cmath>
 #include <cstdio>
 
-#include <nlohmann/json.hpp>
-
-#include "cli/commands.h"
-#include "cli/stats.h"
 #include "math/names.h"
 
 namespace parhelion::cli {
@@ -56,14 +52,13 @@ TraceControl traceControl(const RunOptions& options, const StopSignal* stop) {
   return control;
 }
 
-TraceWatch::TraceWatch(const RunOptions& options, std::uint64_t rays, const StopSignal* stop)
+TraceWatch::TraceWatch(const RunOptions& options, std::uint64_t rays)
     : options_(options),
       rays_(static_cast<double>(rays)),
-      stop_(stop),
       progress_(progressStyle(options.quiet, options.progress), Progress::kOfTracing) {}
 
 TraceControl TraceWatch::control() {
-  TraceControl control = traceControl(options_, stop_);
+  TraceControl control = traceControl(options_, nullptr);
   control.onProgress = [this](std::uint64_t count, double seconds) {
     const double done = static_cast<double>(count);
     progress_.update(done / rays_, seconds, [&](Progress::Style style) {
@@ -73,12 +68,10 @@ TraceControl TraceWatch::control() {
   return control;
 }
 
-int TraceWatch::report(const TracedScene& traced, Transaction& outputs) {
+RunFigures TraceWatch::report(const TracedSky& traced) {
   progress_.finish();
   if (!options_.quiet) printLedger(traced.report);
-  if (!options_.stats.empty())
-    writeJson(outputs.at(options_.stats), statsJson(traced.settings, traced.report, options_.threads));
-  return traced.report.interrupted && stop_ && stop_->requested() ? kInterrupted : kDone;
+  return {traced.settings, traced.report, options_.threads, processUsage().cpuSeconds};
 }
 
 }  // namespace parhelion::cli

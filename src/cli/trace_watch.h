@@ -6,8 +6,8 @@
 
 #include "cli/progress.h"
 #include "cli/run_options.h"
+#include "cli/stats.h"
 #include "cli/stop_signal.h"
-#include "picture/transaction.h"
 #include "render/traced_sky.h"
 
 namespace parhelion::cli {
@@ -27,23 +27,21 @@ std::string progressLine(Progress::Style style, const TraceProgress& progress);
 /// if there is a StopSignal; without a word on stderr.
 TraceControl traceControl(const RunOptions& options, const StopSignal* stop);
 
-/// A run of tracing as its user sees it.
+/// A run of tracing that nobody goes on from, as its user sees it. Signals end the program.
 class TraceWatch {
  public:
-  /// `rays` is how many there are to be traced. Options and signal must outlive the watch.
-  TraceWatch(const RunOptions& options, std::uint64_t rays, const StopSignal* stop);
+  /// `rays` is how many there are to be traced. The options must outlive the watch.
+  TraceWatch(const RunOptions& options, std::uint64_t rays);
 
   /// Control of the run, with progress on stderr. Valid as long as the watch.
   TraceControl control();
 
-  /// After the run: prints the energy ledger and writes the stats file as one of the run's outputs. Returns what the
-  /// program is to end with, if all else goes well.
-  int report(const TracedScene& traced, Transaction& outputs);
+  /// After the run: prints the energy ledger. Returns what --stats is to tell.
+  RunFigures report(const TracedSky& traced);
 
  private:
   const RunOptions& options_;
   double rays_;
-  const StopSignal* stop_;
   Progress progress_;
 };
 

@@ -14,10 +14,29 @@
 #include <string_view>
 #include <system_error>
 
+#include "picture/file_reason.h"
 #include "picture/limits.h"
 
 namespace parhelion {
 namespace {
+
+/// Scan lines that a codec packs as one block.
+int rowsTogether(Imf::Compression codec) {
+  switch (codec) {
+    case Imf::ZIP_COMPRESSION:
+    case Imf::PXR24_COMPRESSION:
+      return 16;
+    case Imf::PIZ_COMPRESSION:
+    case Imf::B44_COMPRESSION:
+    case Imf::B44A_COMPRESSION:
+    case Imf::DWAA_COMPRESSION:
+      return 32;
+    case Imf::DWAB_COMPRESSION:
+      return 256;
+    default:
+      return 1;
+  }
+}
 
 /// Bytes of a value, by the attribute's type. OpenEXR reads so many, whatever size the file states.
 struct TypeSize {
@@ -40,7 +59,7 @@ constexpr std::array kTypeSizes{
 class HeaderWalk {
  public:
   explicit HeaderWalk(const std::filesystem::path& path) : path_(path), stream_(path, std::ios::binary) {
-    if (!stream_) throw exrError(path, std::generic_category().message(errno));
+    if (!stream_) throw exrError(path, reasonFor(path, errno));
     size_ = std::filesystem::file_size(path);
   }
 
@@ -50,14 +69,42 @@ class HeaderWalk {
     const std::uint32_t flags = number();
     if ((flags & (kTiled | kDeep)) != 0) notFlat();
     int parts = 0;
+    std::uint64_t tables = 0;
     do {
+      part_ = {};
       while (attribute()) continue;
+      // OpenEXR makes room for a part's table before it sees whether the file has one.
+      tables += part_.bytesOfTable();
+      if (tables > size_) throw exrError(path_, "the headers promise more scan lines than the file can hold");
       if (++parts > kMostExrParts)
         throw exrError(path_, "more than " + std::to_string(kMostExrParts) + " parts are not read");
     } while ((flags & kMultiPart) != 0 && stream_.peek() != 0);
   }
 
  private:
+  /// What a header says of its part's table, which has eight bytes for each block of scan lines.
+  struct Part {
+    std::int64_t rows = 0, rowsTogether = 1, blocks = 0;
+
+    std::uint64_t bytesOfTable() const {
+      return 8 * static_cast<std::uint64_t>(std::max({std::int64_t{0}, blocks, (rows - 1) / rowsTogether + 1}));
+    }
+  };
+
+  /// Of an attribute that Part is about.
+  void note(const std::string& name, const std::string& type) {
+    if (name == "dataWindow" && type == "box2i") {
+      number();
+      const auto top = static_cast<std::int32_t>(number());
+      number();
+      part_.rows = std::int64_t{static_cast<std::int32_t>(number())} - top + 1;
+    } else if (name == "compression" && type == "compression") {
+      part_.rowsTogether = rowsTogether(static_cast<Imf::Compression>(stream_.get()));
+    } else if (name == "chunkCount" && type == "int") {
+      part_.blocks = static_cast<std::int32_t>(number());
+    }
+  }
+
   std::uint32_t number() {  // little endian
     std::array<unsigned char, 4> b{};
     stream_.read(reinterpret_cast<char*>(b.data()), b.size());
@@ -76,7 +123,8 @@ class HeaderWalk {
 
   /// Steps over an attribute; false at the end of a header.
   bool attribute() {
-    if (name().empty()) return false;
+    const std::string attribute = name();
+    if (attribute.empty()) return false;
     const std::string type = name();
     const std::uint32_t bytes = number();
     if (!stream_ || bytes > size_ - static_cast<std::uint64_t>(stream_.tellg())) damaged();
@@ -86,6 +134,8 @@ class HeaderWalk {
     if (type == "tiledesc") notFlat();
     const std::streamoff end = stream_.tellg() + static_cast<std::streamoff>(bytes);
     if (!fits(type, bytes)) damaged();
+    stream_.seekg(end - static_cast<std::streamoff>(bytes));
+    note(attribute, type);
     stream_.seekg(end);
     return true;
   }
@@ -117,6 +167,7 @@ class HeaderWalk {
   const std::filesystem::path& path_;
   std::ifstream stream_;
   std::uint64_t size_ = 0;
+  Part part_;
 };
 
 }  // namespace
@@ -129,7 +180,7 @@ std::runtime_error exrError(const std::filesystem::path& path, std::string reaso
 void requireSaneHeaders(const std::filesystem::path& path) {
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(path, error);
-  if (error) throw exrError(path, error.message());
+  if (error) throw exrError(path, reasonFor(path, error.value()));
   if (!std::filesystem::is_regular_file(status)) throw exrError(path, "not a regular file");
   HeaderWalk(path).run();
   Imf::Header::setMaxImageSize(kMaxImageSide, kMaxImageSide);
@@ -162,22 +213,7 @@ void requireSaneSize(const std::filesystem::path& path, const Imf::Header& heade
   }
 }
 
-int rowsTogether(const Imf::Header& header) {
-  switch (header.compression()) {
-    case Imf::ZIP_COMPRESSION:
-    case Imf::PXR24_COMPRESSION:
-      return 16;
-    case Imf::PIZ_COMPRESSION:
-    case Imf::B44_COMPRESSION:
-    case Imf::B44A_COMPRESSION:
-    case Imf::DWAA_COMPRESSION:
-      return 32;
-    case Imf::DWAB_COMPRESSION:
-      return 256;
-    default:
-      return 1;
-  }
-}
+int rowsTogether(const Imf::Header& header) { return rowsTogether(header.compression()); }
 
 std::uint64_t rowMemory(const Imf::Header& header) {
   const Imath::Box2i& window = header.dataWindow();

@@ -7,9 +7,9 @@
 #include <cerrno>
 #include <fstream>
 #include <memory>
-#include <system_error>
 
 #include "picture/atomic_file.h"
+#include "picture/file_reason.h"
 #include "picture/icc_profile.h"
 #include "picture/jpeg_segments.h"
 #include "picture/limits.h"
@@ -36,7 +36,7 @@ std::vector<std::uint8_t> fileBytes(const std::filesystem::path& path) {
   std::vector<std::uint8_t> bytes(size);
   std::ifstream stream(path, std::ios::binary);
   if (!stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size))) {
-    throw pictureError(path, std::generic_category().message(errno));
+    throw pictureError(path, reasonFor(path, errno));
   }
   return bytes;
 }

@@ -6,9 +6,9 @@
 #include <csetjmp>
 #include <cstddef>
 #include <cstdio>
-#include <system_error>
 #include <type_traits>
 
+#include "picture/file_reason.h"
 #include "picture/stored_picture.h"
 
 #include <jpeglib.h>  // needs what <cstdio> declares
@@ -133,7 +133,7 @@ struct JpegCoefficients::Library {
 JpegCoefficients::JpegCoefficients(const std::filesystem::path& path)
     : path_(path), library_(std::make_unique<Library>()) {
   const std::unique_ptr<std::FILE, Close> file(std::fopen(path.c_str(), "rbe"));
-  if (!file) throw pictureError(path, std::generic_category().message(errno));
+  if (!file) throw pictureError(path, reasonFor(path, errno));
   jpeg_decompress_struct& source = library_->source;
   if (!readAll(&source, &library_->failure, file.get(), &library_->arrays)) throw library_->error(path);
   for (int i = 0; i < source.num_components; ++i) {

@@ -38,7 +38,10 @@ inline constexpr std::uint32_t kMostPngChunks = 16;
 inline constexpr std::uint64_t kMostDeflated = 1032;  // deflate packs no tighter: 258 bytes by two codes of one bit
 
 // EXR.
-inline constexpr int kMostExrParts = 256;  // each has a table of its scan lines; tallies have up to twelve parts
+// A part costs some kilobytes in memory, and its table of scan lines must be in the file. A tally has up to twelve
+// parts, one for each number of a pixel and of a ring; there is room for those of 64 layers beside it, and a third
+// more.
+inline constexpr int kMostExrParts = 1024;
 inline constexpr int kMostExrChannels = 4096;
 inline constexpr std::uint64_t kMostExrDeflated = 1100;  // deflate, the tightest of the lossless codecs, with a reserve
 inline constexpr std::uint64_t kDwaBlock = 64;  // samples, of which DWA deflates what is left, which is two or more

@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "picture/exr_photograph.h"
+#include "picture/file_reason.h"
 #include "picture/jpeg.h"
 #include "picture/png_read.h"
 #include "picture/stored_picture.h"
@@ -21,10 +22,10 @@ namespace {
 std::array<char, 8> firstBytes(const std::filesystem::path& path) {
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(path, error);
-  if (error) throw pictureError(path, error.message());
+  if (error) throw pictureError(path, reasonFor(path, error.value()));
   if (!std::filesystem::is_regular_file(status)) throw pictureError(path, "not a regular file");
   std::ifstream stream(path, std::ios::binary);
-  if (!stream) throw pictureError(path, std::generic_category().message(errno));
+  if (!stream) throw pictureError(path, reasonFor(path, errno));
   std::array<char, 8> bytes{};
   stream.read(bytes.data(), bytes.size());
   return bytes;

@@ -11,9 +11,9 @@
 #include <cstring>
 #include <memory>
 #include <span>
-#include <system_error>
 
 #include "picture/chromaticities.h"
+#include "picture/file_reason.h"
 #include "picture/icc_profile.h"
 #include "picture/limits.h"
 #include "picture/png_chunks.h"
@@ -95,7 +95,7 @@ bool readRows(png_structp png, png_infop info, png_bytepp rows) {
 class PngReader {
  public:
   explicit PngReader(const std::filesystem::path& path) : path_(path), file_(std::fopen(path.c_str(), "rbe")) {
-    if (!file_) throw pictureError(path, std::generic_category().message(errno));
+    if (!file_) throw pictureError(path, reasonFor(path, errno));
     source_.file = file_.get();
     png_ = png_create_read_struct(PNG_LIBPNG_VER_STRING, &source_, onError, onWarning);
     if (png_) info_ = png_create_info_struct(png_);

@@ -12,6 +12,8 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "picture/file_reason.h"
+
 namespace parhelion {
 namespace {
 
@@ -43,6 +45,13 @@ bool isSeekable(const std::filesystem::path& device) {
   const bool seekable = ::lseek(descriptor, 0, SEEK_CUR) == 0;
   ::close(descriptor);
   return seekable;
+}
+
+/// Whether it is the device on which there is never any room, /dev/full. Of other devices nobody knows what they take.
+bool isAlwaysFull(const struct stat& device) {
+  struct stat full {};
+  return S_ISCHR(device.st_mode) && ::stat("/dev/full", &full) == 0 && S_ISCHR(full.st_mode) &&
+         device.st_rdev == full.st_rdev;
 }
 
 /// Whether somebody else's file in a folder such as /tmp would be replaced, which only its owner may do.
@@ -77,23 +86,6 @@ std::optional<int> descriptorOf(const std::filesystem::path& path) {
   return {};
 }
 
-std::string reasonFor(const std::filesystem::path& path, int error) {
-  const std::filesystem::path target = followLinks(path);
-  std::error_code none;
-  for (std::filesystem::path folder = target.parent_path(); error == ENOENT || error == ENOTDIR;
-       folder = folder.parent_path()) {
-    if (folder.empty() || !folder.has_relative_path()) break;
-    const std::filesystem::file_status status = std::filesystem::status(folder, none);
-    if (std::filesystem::is_directory(status)) break;
-    const bool parentIsThere = !folder.has_parent_path() || std::filesystem::is_directory(folder.parent_path(), none);
-    if (parentIsThere)
-      return std::filesystem::exists(status) ? folder.string() + " is no folder"
-                                             : "the folder " + folder.string() + " does not exist";
-  }
-  if (error == EFBIG) return "the file would be larger than ulimit -f or the file system allows";
-  return std::generic_category().message(error);
-}
-
 StagedFile::StagedFile(const std::filesystem::path& path, bool claim)
     : path_(path), shownPath_(path == "-" ? "stdout" : path.string()) {
   struct stat status {};
@@ -104,6 +96,7 @@ StagedFile::StagedFile(const std::filesystem::path& path, bool claim)
   if (!path.has_filename() || (exists && S_ISDIR(status.st_mode))) fail(EISDIR);
   if (exists && S_ISSOCK(status.st_mode) && !isOpen) fail(ENXIO);
   if (exists && !isOpen && ::access(path.c_str(), W_OK) != 0) fail(errno);
+  if (claim && exists && isAlwaysFull(status)) fail(ENOSPC);
   if (exists && (!S_ISREG(status.st_mode) || isOpen)) {
     openDirectly();
   } else {

@@ -14,15 +14,12 @@ namespace parhelion {
 /// The open file of this process that a path stands for: 1 for /dev/stdout and for "-", 3 for /dev/fd/3.
 std::optional<int> descriptorOf(const std::filesystem::path& path);
 
-/// "the folder halos does not exist" and the like, or what errno means; `path` is what could not be opened or written.
-std::string reasonFor(const std::filesystem::path& path, int error);
-
 /// An output file whose content is not yet where it belongs. A regular file is written under a temporary name. What
 /// goes to a pipe or an open descriptor waits in a nameless file, since a picture's writer goes back to its beginning.
 /// Other devices are written to at once. Failures throw std::runtime_error "path: reason".
 class StagedFile {
  public:
-  /// `claim`: fails where another run writes that file (TemporaryFile::claim).
+  /// `claim`: fails where another run writes that file (TemporaryFile::claim), and for a device that is always full.
   StagedFile(const std::filesystem::path& path, bool claim);
 
   /// Where to write, from the start; closed by close() or the destructor.
@@ -40,8 +37,6 @@ class StagedFile {
 
   /// The folder in which place() changes a name; none for pipes and devices.
   std::optional<std::filesystem::path> folder() const;
-
-  const std::string& shownPath() const { return shownPath_; }
 
   /// Throws "path: reason".
   [[noreturn]] void fail(int error) const;

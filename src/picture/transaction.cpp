@@ -8,6 +8,8 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "picture/file_reason.h"
+
 namespace parhelion {
 
 Transaction::~Transaction() {

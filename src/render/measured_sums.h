@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
+#include <type_traits>
 #include <utility>
 
 #include "render/measured_tally.h"
@@ -8,8 +10,13 @@
 
 namespace parhelion {
 
-inline void readTally(const std::filesystem::path& path, MapTally& tally) { tally = readMapTally(path); }
-inline void readTally(const std::filesystem::path& path, ProfileTally& tally) { tally = readProfileTally(path); }
+template <class Tally>
+Tally readTally(const std::filesystem::path& path) {
+  if constexpr (std::is_same_v<Tally, MapTally>)
+    return readMapTally(path);
+  else
+    return readProfileTally(path);
+}
 
 inline Measurement measurementOf(const MapTally& tally) { return MapMeasurement{tally.sums.binsPerHalfTurn()}; }
 inline Measurement measurementOf(const ProfileTally& tally) {
@@ -20,30 +27,31 @@ inline Measurement measurementOf(const ProfileTally& tally) {
 template <class Tally>
 class MeasuredSums : public RunSums {
  public:
-  explicit MeasuredSums(Tally empty) : empty_(std::move(empty)), tally_(empty_) {}
+  /// `makeEmpty` makes the tally of a run before its first ray. What it refers to must outlive this.
+  explicit MeasuredSums(std::function<Tally()> makeEmpty) : makeEmpty_(std::move(makeEmpty)), tally_(makeEmpty_()) {}
 
   Film& film() override { return tally_.sums; }
   Measurement measurement() const override { return measurementOf(tally_); }
   TallyOrigin& origin() override { return tally_.origin; }
   TallyKind kind() const override { return kindOf(tally_); }
   void read(const std::filesystem::path& path) override {
-    Tally held = empty_, sum = empty_;
-    readTally(path, held);
+    tally_ = makeEmpty_();
+    const Tally held = readTally<Tally>(path);
     try {
-      mergeTally(sum, held);
+      mergeTally(tally_, held);
     } catch (const std::invalid_argument& error) {
       throw std::invalid_argument(path.string() + " is of another run: " + error.what());
     }
-    tally_ = std::move(sum);
   }
   void write(const Output& file) const override { writeTally(file, tally_); }
-  std::unique_ptr<RunSums> empty() const override { return std::make_unique<MeasuredSums>(empty_); }
+  std::unique_ptr<RunSums> empty() const override { return std::make_unique<MeasuredSums>(makeEmpty_); }
   void subtract(RunSums& other) override { subtractTally(tally_, dynamic_cast<MeasuredSums&>(other).tally_); }
 
   const Tally& tally() const { return tally_; }
 
  private:
-  Tally empty_, tally_;
+  std::function<Tally()> makeEmpty_;
+  Tally tally_;
 };
 
 }  // namespace parhelion

@@ -149,8 +149,8 @@ void requirePlausible(const TallyOrigin& origin, const NamedTotals& totals, cons
   const auto rays = static_cast<double>(origin.rayCount()), bundles = static_cast<double>(totals.at("bundles"));
   const double intercepted = ExactSum(totals.at("intercepted")).value();
   if (bundles > rays) reject("the number of bundles", bundles, "at most that of rays, ", rays);
-  if (const auto counted = totals.find("rays"); counted != totals.end() && static_cast<double>(counted->second) != rays)
-    reject("the number of rays", static_cast<double>(counted->second), "", rays);
+  if (const auto counted = static_cast<double>(totals.at("rays")); counted != rays)
+    reject("the number of rays", counted, "", rays);
   if (rays == 0.0 && intercepted != 0.0) reject("the light that no ray brought", intercepted, "", 0.0);
   double all = 0.0;
   for (int bin = 0; bin < bins.size(); ++bin) {

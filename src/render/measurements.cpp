@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/measurements.h"
 
+#include "render/traced_sky.h"
 #include "trace/engine.h"
 #include "trace/ray_source.h"
 
@@ -13,6 +14,7 @@ TraceSettings settingsOfMeasurement(const Cloud& cloud, const TraceSettings& ask
   return chosenSettings(cloud, settings);
 }
 
+<<<<<<< HEAD
 TracedMap traceMap(const Scene& scene, int binsPerHalfTurn, const TraceControl& control) {
   const Cloud cloud = cloudByLight(scene);
   TracedMap traced{{{}, settingsOfMeasurement(cloud, scene.trace)}, SkyMap(cloud.sun().toCentre(), binsPerHalfTurn)};
@@ -20,6 +22,8 @@ TracedMap traceMap(const Scene& scene, int binsPerHalfTurn, const TraceControl& 
   return traced;
 }
 
+=======
+>>>>>>> main
 Image mapPicture(const SkyMap& map) {
   Image image{map.columns(), map.rows(), {}};
   image.add("Y");
@@ -33,6 +37,7 @@ Image mapPicture(const SkyMap& map) {
   return image;
 }
 
+<<<<<<< HEAD
 TracedProfile traceProfile(const Scene& scene, int bins, double from, double to, const TraceControl& control) {
   const Cloud cloud = cloudByLight(scene);
   TracedProfile traced{{{}, settingsOfMeasurement(cloud, scene.trace)}, ScatterProfile(bins, from, to)};
@@ -40,6 +45,8 @@ TracedProfile traceProfile(const Scene& scene, int bins, double from, double to,
   return traced;
 }
 
+=======
+>>>>>>> main
 LightPath replayRay(const Scene& scene, const Cloud& cloud, std::uint64_t ray) {
   LightPath path;
   path.recordEncounters = true;

@@ -42,8 +42,8 @@ std::uint64_t bytesPerPixel(const ReconSettings& settings) {
 
 SkySize skySizeOf(const Scene& scene) {
   const auto* lines = std::get_if<LineSpectrum>(&scene.sun.spectrum);
-  const bool single = std::holds_alternative<MonochromaticSpectrum>(scene.sun.spectrum) ||
-                      (lines && lines->wavelengths.size() == 1);
+  const bool single =
+      std::holds_alternative<MonochromaticSpectrum>(scene.sun.spectrum) || (lines && lines->wavelengths.size() == 1);
   return {std::int64_t{scene.camera.width} * scene.camera.height, !single};
 }
 
@@ -62,6 +62,11 @@ std::uint64_t memoryToMap(int binsPerHalfTurn, int threads) {
 
 std::uint64_t memoryToProfile(int bins, int threads) {
   return static_cast<std::uint64_t>(bins) * 125 + memoryOfWorkers(threads);
+}
+
+std::uint64_t memoryToComposite(std::uint64_t pixels, std::uint64_t halo) {
+  // The halo is made when the mask, a byte a pixel, is there, and long before the picture is written.
+  return std::max(pixels * kCompositeBytes, pixels + halo);
 }
 
 std::uint64_t leastBytesOfPicture(const SkySize& size, const ReconSettings& settings) {

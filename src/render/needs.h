@@ -24,6 +24,11 @@ std::uint64_t memoryToReconstruct(const SkySize& size, const ReconSettings& sett
 std::uint64_t memoryToMap(int binsPerHalfTurn, int threads);
 std::uint64_t memoryToProfile(int bins, int threads);
 
+/// To set a halo, which takes `halo` bytes to be made, into a photograph of so many pixels, the photograph itself
+/// aside.
+std::uint64_t memoryToComposite(std::uint64_t pixels, std::uint64_t halo);
+inline constexpr int kCompositeBytes = 36;  // a pixel, without the halo: sky, mask and the picture that is written
+
 // Space on a disk, at least: how far files can be compressed depends on what is in them.
 std::uint64_t leastBytesOfPicture(const SkySize& size, const ReconSettings& settings);
 std::uint64_t leastBytesOfTally(const SkySize& size);

@@ -31,8 +31,9 @@ class RunSums {
 
   virtual TallyKind kind() const = 0;
 
-  /// Takes the sums of a file in the place of these. Throws std::runtime_error "path: reason" where the file cannot be
-  /// read or is damaged, and std::invalid_argument "path: reason" where it is of another scene, seed or kind.
+  /// Takes the sums of a file in the place of these, so that there is never room needed for more than two. Throws
+  /// std::runtime_error "path: reason" where the file cannot be read or is damaged, and std::invalid_argument
+  /// "path: reason" where it is of another scene, seed or kind; then they are empty.
   virtual void read(const std::filesystem::path& path) = 0;
 
   /// Writes them so that read() gives them back, bit for bit. The film's result must be made (Film::finish()).
@@ -62,8 +63,8 @@ struct Resumed {
   std::vector<std::string> remarks;  // for the user, if it is not the checkpoint itself
 };
 
-/// Takes the sums of a checkpoint, of the one before where it is missing or damaged, or leaves these where there is
-/// neither. Throws as RunSums::read() does, for a damaged checkpoint only if there is none before it.
+/// Takes the sums of a checkpoint, of the one before where it is missing or damaged, or leaves these, which are empty,
+/// where there is neither. Throws as RunSums::read() does, for a damaged checkpoint only if there is none before it.
 Resumed resumeFrom(const std::filesystem::path& checkpoint, RunSums& sums);
 
 /// Takes out the last rays of ranges that end within a bundle of which more rays are wanted: a bundle's rays can only

@@ -8,12 +8,25 @@
 
 namespace parhelion {
 
+namespace {
+
+/// The least that can be in the place of a tally.
+Tally withoutPixels(TallyInfo info) {
+  info.camera = {};
+  info.camera.width = info.camera.height = 1;
+  info.symmetry = TallySymmetry::none;
+  return Tally(info, 1);
+}
+
+}  // namespace
+
 Film& SkySums::film() {
   if (!film_) film_ = makeFilm(tally_, cloud_, loaded_.scene.trace.symmetry);
   return *film_;
 }
 
 void SkySums::read(const std::filesystem::path& path) {
+<<<<<<< HEAD
   SkyTally held = readSkyTallyExr(path);
   if (const std::string why = objectionToAdding(held.info(), tally_.info()); !why.empty())
     throw std::invalid_argument(path.string() + " is of another run: " + why);
@@ -21,8 +34,24 @@ void SkySums::read(const std::filesystem::path& path) {
   held.info().scene = tally_.info().scene;
   held.info().version = tally_.info().version;
   held.shareOrigin();
+=======
+  TallyInfo own = tally_.info;
+  own.rays.clear();
+>>>>>>> main
   film_.reset();
-  tally_ = std::move(held);
+  // The room of these sums is for those of the file.
+  tally_ = withoutPixels(own);
+  try {
+    if (const std::string why = objectionToAdding(readTallyInfo(path), own); !why.empty())
+      throw std::invalid_argument(path.string() + " is of another run: " + why);
+    tally_ = readTallyExr(path);
+  } catch (...) {
+    tally_ = emptyTally(loaded_, cloud_);
+    throw;
+  }
+  // The texts of the run that goes on, not of the one that began.
+  tally_.info.scene = own.scene;
+  tally_.info.version = own.version;
 }
 
 void SkySums::write(const Output& file) const { writeSkyTallyExr(file, tally_); }

@@ -2,10 +2,10 @@
 #include "render/sweep.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <vector>
 
+#include "parallel/run_clock.h"
 #include "picture/auto_exposure.h"
 #include "picture/exr.h"
 #include "render/sky_files.h"
@@ -16,9 +16,8 @@ namespace parhelion {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+// Files that wait for their names are open, and a process may have 1024.
+constexpr std::size_t kMostTogether = 256;
 
 /// Renders a frame as render does. None, and nothing is written, if it was stopped before all its rays were traced.
 std::optional<TraceReport> renderFrame(const SweepFrame& frame, const TraceControl& control) {
@@ -64,19 +63,19 @@ SheetLayout layoutOf(std::span<const SweepFrame> frames) {
 }  // namespace
 
 SweepReport renderFrames(std::span<const SweepFrame> frames, const SweepControl& control) {
-  const Clock::time_point start = Clock::now();
+  const RunClock clock;
   SweepReport report;
   for (std::size_t i = 0; i < frames.size(); ++i) {
     if (frames[i].lacks.empty()) continue;
-    const Clock::time_point frameStart = Clock::now();
+    const RunClock frameClock;
     TraceControl one = control.trace;
-    one.timeLimit -= secondsSince(start);
+    one.timeLimit -= clock.seconds();
     if ((one.stop && *one.stop) || one.timeLimit <= 0.0) return report;
     const std::optional<TraceReport> traced = renderFrame(frames[i], one);
     if (!traced) return report;
     report.worstImbalance = std::max(report.worstImbalance, std::abs(traced->energy.imbalance()));
     ++report.rendered;
-    if (control.onFrame) control.onFrame(i, secondsSince(frameStart));
+    if (control.onFrame) control.onFrame(i, frameClock.seconds());
   }
   report.complete = true;
   return report;
@@ -87,16 +86,23 @@ std::optional<SweepPreviews> writePreviews(std::span<const SweepFrame> frames, c
   written.exposure = settings.exposure ? *settings.exposure : medianExposure(frames);
   const SheetLayout layout = layoutOf(frames);
   std::vector<SheetCell> cells;
+  Transaction together;
+  std::size_t waiting = 0;
   for (const SweepFrame& frame : frames) {
     if (settings.stop && *settings.stop) return std::nullopt;
     const Image image = readExr(frame.exr, ExrColours::rec709, {true}).image;
     const Preview preview = developPreview(image, {written.exposure});
     written.badPixels += preview.badPixels;
-    writePreview(frame.png(), preview, written.exposure, frame.loaded.text);
+    if (waiting == kMostTogether) together.commit();
+    waiting = waiting % kMostTogether + 1;
+    together.claim(frame.png());
+    writePreview(together.at(frame.png()), preview, written.exposure, frame.loaded.text);
     if (!settings.contactSheet.empty()) cells.push_back({reducedToFit(image, layout), labelsOf(frame)});
   }
   if (!cells.empty())
-    writePreview(settings.contactSheet, contactSheet(layout, cells, written.exposure), written.exposure, {});
+    writePreview(together.at(settings.contactSheet), contactSheet(layout, cells, written.exposure), written.exposure,
+                 {});
+  together.commit();
   return written;
 }
 

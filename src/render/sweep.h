@@ -43,8 +43,9 @@ struct SweepPreviews {
   std::size_t badPixels = 0;  // not finite, black in the previews
 };
 
-/// Writes the previews of all frames, whose EXRs are there, and their contact sheet, with one exposure. None if it was
-/// stopped. Throws std::runtime_error.
+/// Writes the previews of all frames, whose EXRs are there, and their contact sheet, with one exposure. They appear
+/// together, those of more than 256 frames 256 by 256, the sheet with the last ones. None if it was stopped. Throws
+/// std::runtime_error.
 std::optional<SweepPreviews> writePreviews(std::span<const SweepFrame> frames, const SweepPreviewSettings& settings);
 
 }  // namespace parhelion

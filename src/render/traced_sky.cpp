@@ -45,7 +45,7 @@ SkyTally emptyTally(const LoadedScene& loaded, const Cloud& cloud) {
 }
 
 TracedSky traceSky(const LoadedScene& loaded, const Cloud& cloud, const TraceControl& control) {
-  TracedSky traced{{{}, chosenSettings(cloud, loaded.scene.trace)}, emptyTally(loaded, cloud)};
+  TracedSky traced{{}, chosenSettings(cloud, loaded.scene.trace), emptyTally(loaded, cloud)};
   traced.report = traceTally(traced.tally, cloud, traced.settings, 0, control);
   return traced;
 }

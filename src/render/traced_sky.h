@@ -18,15 +18,19 @@ Cloud cloudByLight(const Scene& scene);
 /// engine stays `automatic` where not all crystals are convex, for then each gets its own.
 TraceSettings chosenSettings(const Cloud& cloud, const TraceSettings& asked);
 
-/// How a scene was traced.
-struct TracedScene {
+/// A scene traced into the tally of its camera.
+struct TracedSky {
   TraceReport report;
   TraceSettings settings;  // as chosen
+<<<<<<< HEAD
 };
 
 /// A scene traced into the tally of its camera.
 struct TracedSky : TracedScene {
   SkyTally tally;
+=======
+  Tally tally;
+>>>>>>> main
 };
 
 /// A tally of a scene's camera with all that is known before its rays are traced by this version of the program.

@@ -2,11 +2,12 @@
 #include "render/tracing_run.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <string>
+
+#include "parallel/run_clock.h"
 
 namespace parhelion {
 
@@ -29,7 +30,6 @@ class Run {
   RunReport trace(const RayRanges& missing);
 
  private:
-  double seconds() const;
   bool traceRange(RayRange left);
   bool goOn(std::uint64_t done);
   bool checkpointIsDue(double now, std::uint64_t done);
@@ -47,7 +47,7 @@ class Run {
   RayRanges& held_;
   const int bundleSize_;
   const RunControl& control_;
-  const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  const RunClock clock_;
 
   RunReport report_;
   std::uint64_t wanted_ = 0, done_ = 0;  // rays of this run
@@ -66,16 +66,13 @@ RunReport Run::trace(const RayRanges& missing) {
   if (!isAtErrorCheck() || !isGoodEnough())
     for (const RayRange& range : missing)
       if (!traceRange(range)) break;
-  report_.seconds = seconds();  // of tracing: the result takes as long for one ray as for many
+  report_.seconds = clock_.seconds();  // of tracing: the result takes as long for one ray as for many
   makeResult();
   if (control_.goal.error > 0.0 && report_.end != RunEnd::stopped) isGoodEnough();
   static_cast<TraceCounts&>(report_) = tracer_.counts();
   report_.interrupted = report_.end == RunEnd::stopped || report_.end == RunEnd::timeOver;
   return report_;
 }
-
-/// Since the run began.
-double Run::seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
 
 /// False if the run ends here.
 bool Run::traceRange(RayRange left) {
@@ -97,7 +94,7 @@ bool Run::traceRange(RayRange left) {
 
 /// After each batch of rays: whether to trace another one.
 bool Run::goOn(std::uint64_t done) {
-  const double now = seconds();
+  const double now = clock_.seconds();
   if (control_.onProgress) control_.onProgress(done, now);
   if (done >= wanted_) return true;  // nothing is left to be stopped
   if (control_.stop && *control_.stop)
@@ -119,10 +116,10 @@ bool Run::checkpointIsDue(double now, std::uint64_t done) {
 }
 
 void Run::writeCheckpoint() {
-  const double before = seconds();
+  const double before = clock_.seconds();
   makeResult();
   control_.checkpoints.write();
-  lastCheckpoint_ = seconds();
+  lastCheckpoint_ = clock_.seconds();
   lastCost_ = lastCheckpoint_ - before;
   checkpointIsDue_ = false;
 }

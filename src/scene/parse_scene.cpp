@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "crystal/symmetry.h"
+#include "picture/file_reason.h"
 #include "picture/limits.h"
 #include "scene/layer_checks.h"
 #include "scene/overrides.h"
@@ -78,14 +79,17 @@ std::string serialised(const toml::table& root) {
 
 std::string readSceneText(const std::filesystem::path& path) {
   std::error_code status;
-  if (!std::filesystem::exists(path, status) && !status) throwFileError(path.string(), "no such file");
+  if (!std::filesystem::exists(path, status) && !status) {
+    const std::string folder = missingFolderOf(path);
+    throwFileError(path.string(), folder.empty() ? "no such file" : folder);
+  }
 
   errno = 0;
   std::ifstream file(path, std::ios::binary);
   std::string text(kMostSceneBytes + 1, '\0');
   if (file) file.read(text.data(), static_cast<std::streamsize>(text.size()));
   if (!file.eof() && !file.good()) {
-    throw std::runtime_error(path.string() + ": " + std::generic_category().message(errno != 0 ? errno : EIO));
+    throw std::runtime_error(path.string() + ": " + reasonFor(path, errno != 0 ? errno : EIO));
   }
   text.resize(static_cast<std::size_t>(file.gcount()));
   return text;

@@ -8,8 +8,12 @@
 
 namespace parhelion {
 
+const std::array<std::string, 1> SkyMap::kTotals{kInterceptedName};
+
 SkyMap::SkyMap(const Vec3& toSun, int binsPerHalfTurn)
-    : toSun_(toSun), binsPerHalfTurn_(binsPerHalfTurn), bins_(columns() * rows()) {}
+    : MeasuringFilm(2 * binsPerHalfTurn * (binsPerHalfTurn + 1), kTotals),
+      toSun_(toSun),
+      binsPerHalfTurn_(binsPerHalfTurn) {}
 
 int SkyMap::binAt(const Vec3& toSky) const {
   const SkyPoint sky = skyPoint(toSky);
@@ -31,48 +35,24 @@ int SkyMap::add(const TracedRays& traced) {
       deposits_.add(binAt(toSky), exits.energy[exit] * light);
     }
     for (int member = 0; member < members; ++member)
-      intercepted_.add(queue.weight[place] * queue.light[queue.ray(member, place)].light);
-    bins_.add(deposits_);
-    ++bundles_;
+      total(kIntercepted).add(queue.weight[place] * queue.light[queue.ray(member, place)].light);
+    addBundle(deposits_, members);
   }
   return exits.count;
 }
 
-std::unique_ptr<Film> SkyMap::forThread() { return std::make_unique<SkyMap>(empty()); }
-
-void SkyMap::merge(Film& fromThread) {
-  auto& other = dynamic_cast<SkyMap&>(fromThread);
-  bins_.merge(other.bins_);
-  bundles_ += other.bundles_;
-  intercepted_.merge(other.intercepted_);
-  other = empty();
-}
-
-NamedTotals SkyMap::totals() const {
-  return {{"bundles", static_cast<ExactSum::Units>(bundles_)}, {"intercepted", intercepted_.units()}};
-}
-
-void SkyMap::setTotals(const NamedTotals& totals) {
-  bundles_ = static_cast<std::uint64_t>(totals.at("bundles"));
-  intercepted_ = ExactSum(totals.at("intercepted"));
-}
+std::unique_ptr<Film> SkyMap::forThread() { return std::make_unique<SkyMap>(toSun_, binsPerHalfTurn_); }
 
 double SkyMap::azimuth(int column) const { return (column - binsPerHalfTurn_) * (kPi / binsPerHalfTurn_); }
 
 double SkyMap::elevation(int row) const { return (row - binsPerHalfTurn_ / 2) * (kPi / binsPerHalfTurn_); }
 
 double SkyMap::energy(int column, int row) const {
-  return bundles_ > 0 ? bins_.light(row * columns() + column) / intercepted_.value() : 0.0;
+  return bundles() > 0 ? sums().light(row * columns() + column) / valueOf(kIntercepted) : 0.0;
 }
 
 double SkyMap::error(int column, int row) const {
-  return bins_.shareError(row * columns() + column, bundles_, intercepted_.value());
-}
-
-void SkyMap::visitSums(SumVisitor& visitor) {
-  bins_.visitSums(visitor);
-  visitor.visit(bundles_);
-  visitor.visit(intercepted_);
+  return sums().shareError(row * columns() + column, bundles(), valueOf(kIntercepted));
 }
 
 }  // namespace parhelion

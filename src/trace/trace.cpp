@@ -2,8 +2,8 @@
 #include "trace/trace.h"
 
 #include <algorithm>
-#include <chrono>
 
+#include "parallel/run_clock.h"
 #include "trace/tracer.h"
 
 namespace parhelion {
@@ -14,10 +14,10 @@ TraceReport traceRays(const Cloud& cloud, const TraceSettings& settings, std::ui
   TraceReport report;
   report.firstRay = firstRay;
   report.simdLanes = tracer.simdLanes();
-  const auto start = std::chrono::steady_clock::now();
+  const RunClock clock;
   const RayRange range{firstRay, settings.rays - std::min(firstRay, settings.rays)};
   const std::uint64_t traced = tracer.trace(range, [&](std::uint64_t rays) {
-    report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    report.seconds = clock.seconds();
     if (control.onProgress) control.onProgress(rays, report.seconds);
     return !(control.stop && *control.stop) && report.seconds < control.timeLimit;
   });

@@ -2,12 +2,12 @@
 #include "trace/tracer.h"
 
 #include <algorithm>
-#include <chrono>
 #include <stdexcept>
 
 #include <tbb/enumerable_thread_specific.h>
 
 #include "parallel/loops.h"
+#include "parallel/run_clock.h"
 #include "parallel/threads.h"
 
 namespace parhelion {
@@ -25,10 +25,6 @@ struct Worker {
   std::unique_ptr<Film> film;
   std::unique_ptr<Wave> wave;
 };
-
-double secondsSince(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
 
 }  // namespace
 
@@ -72,9 +68,9 @@ std::uint64_t Tracer::traceSome(const RayRange& range) {
     return range.count;
   }
   const std::uint64_t bundles = std::min(whole, wanted);
-  const auto start = std::chrono::steady_clock::now();
+  const RunClock clock;
   traceBundles(range.first / size, bundles);
-  const double growth = std::clamp(kBatchSeconds / secondsSince(start), 1.0 / kMostGrowth, kMostGrowth);
+  const double growth = std::clamp(kBatchSeconds / clock.seconds(), 1.0 / kMostGrowth, kMostGrowth);
   if (bundles == wanted) batch_ = std::max(1.0, batch_ * growth);
   return bundles * size;
 }

@@ -14,28 +14,10 @@ namespace parhelion::test {
 /// numbers of rays end within one.
 struct LongRuns : Folder {
   LongRuns() {
-    write("plain", R"(
-[[population]]
-aspect = 0.3
-orientation = "plate"
-tilt = 2.0
-[trace]
-symmetry = "none"
-)",
-          64);
-    write("mirror", R"(
-[[population]]
-aspect = 0.3
-orientation = "plate"
-tilt = 2.0
-)",
-          65);
-    write("radial", R"(
-[[population]]
-aspect = 1.0
-orientation = "random"
-)",
-          64);
+    const std::string plates = "[[population]]\naspect = 0.3\norientation = 'plate'\ntilt = 2.0\n";
+    write("plain", plates + "[trace]\nsymmetry = 'none'\n", 64);
+    write("mirror", plates, 65);
+    write("radial", "[[population]]\naspect = 1.0\norientation = 'random'\n", 64);
   }
   static inline const std::vector<std::string> kScenes{"plain", "mirror", "radial"};
 

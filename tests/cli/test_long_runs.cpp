@@ -25,12 +25,12 @@ TEST_CASE("a run that is killed again and again and resumed has the bytes of an 
     for (int i = 0; i < 40; ++i) {
       // Killed at other places and with another number of threads each time.
       const std::string seconds = "0." + std::to_string(10 + (i * 7) % 23);
-      const Outcome outcome = run(folder, "timeout -s KILL " + seconds + " '" PARHELION_BINARY "' trace " + scene +
-                                              ".toml --quiet --rays 400001 --resume " + scene +
+      const Outcome outcome = run(folder, "timeout --foreground -s KILL " + seconds + " '" PARHELION_BINARY "' trace " +
+                                              scene + ".toml --quiet --rays 400001 --resume " + scene +
                                               ".exr --checkpoint 0.01s --nthreads " + std::to_string(1 + i % 3));
       if (outcome.exit == 0) break;
       ++kills;
-      REQUIRE(outcome.exit == 137);
+      REQUIRE_MESSAGE(outcome.exit == 137, outcome.err);
     }
     CHECK_MESSAGE(run(folder, trace(scene, "--rays 400001 --resume " + scene + ".exr")).exit == 0, scene);
     CHECK_MESSAGE(isSame(folder, scene + ".exr", "whole.exr"), scene);

@@ -4,8 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "picture/photograph.h"
 #include "shell.h"
 
+using namespace parhelion;
 using namespace parhelion::test;
 
 namespace {
@@ -66,6 +68,14 @@ TEST_CASE("a merged tally is the tally, through files and pipes, and info says w
   CHECK(tallies("merge - -o - <a.exr").out == whole);
   CHECK(tallies("merge /dev/stdin -o m2.exr <a.exr").exit == 0);
   CHECK(readFile(tallies.folder / "m2.exr") == whole);
+  // From named pipes, too, also several at once.
+  REQUIRE(tallies("trace s.toml --ray-range 0:1000 --quiet -o a1.exr").exit == 0);
+  REQUIRE(tallies("trace s.toml --ray-range 1000:2000 --quiet -o a2.exr").exit == 0);
+  const Outcome pipes = run(tallies.folder,
+                            "mkfifo p1 p2; cat a1.exr > p1 & cat a2.exr > p2 & parhelion merge p2 p1 -o m3.exr; "
+                            "code=$?; wait; exit $code");
+  CHECK_MESSAGE(pipes.exit == 0, pipes.err);
+  CHECK(readFile(tallies.folder / "m3.exr") == whole);
   const Outcome info = tallies("info m.exr");
   CHECK(info.exit == 0);
   for (const char* part :
@@ -99,6 +109,26 @@ TEST_CASE("rays that the scene asks for and the tallies have not are named, and 
   CHECK(has(tallies("info part.exr").out, "missing: "));
 }
 
+TEST_CASE("a map's or a profile's tally that needs more memory than --memory allows is refused before it is read") {
+  const Tallies tallies;
+  REQUIRE(tallies("map s.toml --step 0.25 --quiet --tally m.tally.exr -o /dev/null").exit == 0);
+  REQUIRE(tallies("profile s.toml --bins 1000000 --quiet --tally p.tally.exr -o /dev/null").exit == 0);
+  for (const std::string& command :
+       std::vector<std::string>{"map m.tally.exr -o x.exr", "profile p.tally.exr -o x.csv",
+                                "merge m.tally.exr -o x.exr", "merge p.tally.exr -o x.exr"}) {
+    CAPTURE(command);
+    const Outcome outcome = tallies(command + " --memory 30M");
+    CHECK(outcome.exit == 1);
+    CHECK_MESSAGE(has(outcome.err, ".tally.exr: needs about"), outcome.err);
+    CHECK(has(outcome.err, "are allowed by --memory"));
+    CHECK(lines(outcome.err) == 1);
+    CHECK_FALSE(std::filesystem::exists(tallies.folder / "x.exr"));
+    CHECK(tallies(command + " --memory 1G --overwrite").exit == 0);
+    std::filesystem::remove(tallies.folder / "x.exr");
+    std::filesystem::remove(tallies.folder / "x.csv");
+  }
+}
+
 TEST_CASE("a damaged tally or picture is refused by every command that reads one") {
   const Tallies tallies;
   REQUIRE(tallies("recon a.exr -o sky.exr --quiet").exit == 0);
@@ -119,6 +149,18 @@ TEST_CASE("a damaged tally or picture is refused by every command that reads one
     CHECK(has(outcome.err, "damaged, or changed by another program"));
     CHECK(lines(outcome.err) == 1);
   }
+  writePhotograph(tallies.folder / "photo.png", readPhotograph(tallies.folder / "sky.png"), {});
+  const std::string composite =
+      "composite photo.png --halo bad-sky.exr --fov-horizontal 60 --sun 12,5 --all-sky "
+      "--strength 1 --quiet -o c.png";
+  const Outcome refused = tallies(composite);
+  CHECK(refused.exit == 1);
+  CHECK_MESSAGE(has(refused.err, "bad-sky.exr: damaged, or changed by another program"), refused.err);
+  CHECK(lines(refused.err) == 1);
+  CHECK_FALSE(std::filesystem::exists(tallies.folder / "c.png"));
+  const Outcome edited = tallies(composite + " --edited");
+  CHECK_MESSAGE(edited.exit == 0, edited.err);
+  CHECK(std::filesystem::exists(tallies.folder / "c.png"));
   CHECK(tallies("info bad-sky.exr --edited").exit == 0);
   CHECK(tallies("view bad-sky.exr --edited --unsharp 3,5 -o x.png").exit == 0);
 }

@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "photographs.h"
 #include "render/needs.h"
 #include "rendered_sky.h"
 
@@ -112,6 +113,8 @@ TEST_CASE("too little memory, too little room and what makes no file are one lin
       {"SOURCE_DATE_EPOCH=-1 parhelion trace s.toml -o o.exr", 1, "SOURCE_DATE_EPOCH is no number of seconds"},
       {"parhelion render s.toml -o none/o.exr", 1, "none/o.exr: the folder none does not exist"},
       {"parhelion render s.toml -o s.toml/o.exr", 1, "s.toml/o.exr: s.toml is no folder"},
+      {"parhelion trace s.toml -o /dev/full", 1, "/dev/full: No space left on device"},
+      {"parhelion profile s.toml -o /dev/full", 1, "/dev/full: No space left on device"},
       {"parhelion profile s.toml -o o.csv/", 1, "o.csv/: names a folder, not a file"},
       {"parhelion trace s.toml -o /proc/o.exr", 1, "/proc/o.exr: "},
       {"parhelion profile s.toml -o ''", 2, "--output: expected a value, not ''"},
@@ -127,6 +130,25 @@ TEST_CASE("too little memory, too little room and what makes no file are one lin
   }
   const std::string longName(256, 'n');
   CHECK(run(folder, "parhelion profile s.toml -o " + longName).err.find("File name too long") != std::string::npos);
+}
+
+TEST_CASE("of an input in a folder that is not there the folder is named") {
+  const WithScene folder;
+  REQUIRE(run(folder, "parhelion render s.toml --rays 1k --quiet -o sky.exr").exit == 0);
+  const std::string camera = " --fov-horizontal 60 --sun 3,4 --quiet";
+  for (const std::string command :
+       {"render none/s.toml", "trace none/s.toml -o o.exr", "check none/s.toml", "info none/s.toml", "info none/t.exr",
+        "recon none/t.exr -o o.exr", "merge none/t.exr -o o.exr", "view none/p.png -o o.png",
+        "view none/p.exr -o o.png", "composite none/p.jpg --scene s.toml -o o.png",
+        "composite sky.png --mask none/m.png --scene s.toml -o o.png",
+        "composite sky.png --halo none/h.exr --all-sky -o o.png"}) {
+    const bool composes = command.starts_with("composite");
+    const Outcome outcome = run(folder, "parhelion " + command + (composes ? camera : ""));
+    CHECK_MESSAGE((outcome.exit == 1 || outcome.exit == 2), command);
+    CHECK_MESSAGE(outcome.err.find("the folder none does not exist") != std::string::npos,
+                  command << " said " << outcome.err);
+    CHECK_MESSAGE(lines(outcome.err) == 1, command << " said " << outcome.err);
+  }
 }
 
 TEST_CASE("where a standard stream is closed no output gets its words") {
@@ -169,6 +191,58 @@ TEST_CASE("the memory that runs take is known beforehand to within a factor of 1
       CHECK_MESSAGE(isNear(kProgram + static_cast<double>(memoryToReconstruct(sky, settings, 2)), peak()),
                     method << " " << side << " took " << peak());
     }
+  }
+}
+
+TEST_CASE("the memory that a run's figures tell has that of the picture in it") {
+  const WithScene folder;
+  const auto peakOf = [&](const std::string& command) {
+    const Outcome outcome = run(folder, "parhelion " + command + " --quiet --rays 20k --overwrite --stats s.json");
+    REQUIRE_MESSAGE(outcome.exit == 0, outcome.err);
+    return nlohmann::json::parse(readFile(folder / "s.json")).at("peak_memory_bytes").get<double>();
+  };
+  const std::string size = " --resolution 900x900 -o o.exr";
+  // Filtering takes more than three times as much as the tally.
+  CHECK(peakOf("render s.toml" + size) > 2.0 * peakOf("trace s.toml --symmetry none" + size));
+}
+
+TEST_CASE("a photograph and its halo find room together, or nothing of it is begun") {
+  const WithScene folder;
+  writePhotograph(folder / "photo.png", landscape<std::uint8_t>(1600, 1200, 0.7), {});
+  const std::string composite =
+      "parhelion composite photo.png --scene s.toml --rays 20k --nthreads 2 --fov-horizontal 60 --sun 800,300 "
+      "--sun-elevation 20 --quiet --coarseness 2 --overwrite --stats s.json -o o.png --memory ";
+  REQUIRE(run(folder, composite + "2G").exit == 0);
+  const double peak = nlohmann::json::parse(readFile(folder / "s.json")).at("peak_memory_bytes").get<double>();
+  MESSAGE("peak memory, bytes: " << peak);
+  std::filesystem::remove(folder / "o.png");
+  // Where it is allowed to begin, it stays below what it is allowed.
+  for (const double share : {0.5, 0.7, 0.8, 0.9, 1.0, 1.1, 1.3, 1.5}) {
+    CAPTURE(share);
+    const double allowed = share * peak;
+    const Outcome outcome = run(folder, composite + std::to_string(static_cast<std::int64_t>(allowed)));
+    if (outcome.exit == 0) {
+      CHECK(share > 0.6);
+      continue;
+    }
+    CHECK(share < 1.5);
+    CHECK(outcome.exit == 1);
+    CHECK_MESSAGE(outcome.err.find("photo.png: needs about") != std::string::npos, outcome.err);
+    CHECK(lines(outcome.err) == 1);
+    CHECK_FALSE(std::filesystem::exists(folder / "o.png"));
+  }
+}
+
+TEST_CASE("a run that goes on needs no more memory than one that begins") {
+  const WithScene folder;
+  const std::string trace = "parhelion trace s.toml --symmetry none --quiet --nthreads 1 --resolution 1500x1500 ";
+  REQUIRE(run(folder, trace + "--rays 1000 -o t.exr").exit == 0);
+  REQUIRE(run(folder, "cp t.exr t.exr.previous; head -c 100000 t.exr > half.exr").exit == 0);
+  // A tally alone takes 108 MB.
+  for (const char* rest :
+       {"--rays 1000 -o new.exr", "--rays 2000 --resume t.exr", "--rays 3000 --resume missing.exr"}) {
+    const Outcome outcome = run(folder, trace + "--memory 190M " + rest);
+    CHECK_MESSAGE(outcome.exit == 0, rest << " said " << outcome.err);
   }
 }
 #endif

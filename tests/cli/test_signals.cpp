@@ -64,15 +64,50 @@ TEST_CASE("nohup keeps a run from HUP, and USR1 writes a checkpoint of a run tha
   CHECK(run(folder, "parhelion recon c.exr --quiet -o /dev/null").exit == 0);
 }
 
+#ifndef __SANITIZE_THREAD__  // which keeps signals back for a while, and hands on the later one first
 TEST_CASE("a second signal ends the program at once") {
   const LongRuns folder;
   // Between the two signals the large picture is being made, which takes much longer than a moment.
-  const Outcome outcome =
-      run(folder, inBackground("render plain.toml --resolution 3000x3000 -o big.exr --rays 20G",
-                               kUntilReady + "; kill -TERM $pid; sleep 0.3; kill -INT $pid 2>/dev/null"));
-  CHECK(outcome.exit == 130);
-  CHECK_FALSE(std::filesystem::exists(folder / "big.exr"));
+  for (const std::string first : {"TERM", "INT"})
+    for (const std::string second : {"TERM", "INT"}) {
+      const Outcome outcome = run(
+          folder,
+          inBackground("render plain.toml --resolution 3000x3000 --checkpoint none -o big.exr --rays 20G",
+                       kUntilReady + "; kill -" + first + " $pid; sleep 0.3; kill -" + second + " $pid 2>/dev/null"));
+      CAPTURE(first);
+      CAPTURE(second);
+      CHECK(outcome.exit == (second == "TERM" ? 143 : 130));
+      CHECK_FALSE(std::filesystem::exists(folder / "big.exr"));
+      for (const std::string& name : folder.names()) CHECK_MESSAGE(!name.ends_with(".tmp"), name);
+    }
 }
+
+TEST_CASE("all that a run says on its way is JSON where its progress is") {
+  const LongRuns folder;
+  REQUIRE(run(folder,
+              "parhelion trace plain.toml --quiet --rays 2000 -o t.exr.previous -D trace.rays=20G --ray-range "
+              "0:2000")
+              .exit == 0);
+  const Outcome outcome = run(folder, inBackground("trace plain.toml --resume t.exr --rays 20G --checkpoint 0.05s "
+                                                   "--progress json",
+                                                   until("t.exr") + "; kill -TERM $pid"));
+  CHECK(outcome.exit == 75);
+  std::istringstream words(outcome.err);
+  int checkpoints = 0, remarks = 0;
+  for (std::string line; std::getline(words, line) && line.starts_with("{");) {
+    const json event = json::parse(line);
+    remarks += event.contains("remark") ? 1 : 0;
+    if (!event.contains("checkpoint")) continue;
+    ++checkpoints;
+    CHECK(event["checkpoint"] == "t.exr");
+    CHECK(event["rays"].get<std::uint64_t>() > 2000);
+  }
+  CHECK(checkpoints > 0);
+  CHECK(remarks > 1);
+  CHECK(outcome.err.find("\ncheckpoint:") == std::string::npos);
+  CHECK(outcome.err.find("\n--resume") == std::string::npos);
+}
+#endif
 
 TEST_CASE("a reader of the progress that goes does not end a run, and a table without a reader is one clear error") {
   const LongRuns folder;
@@ -96,7 +131,7 @@ TEST_CASE("a checkpoint that cannot be written is one warning, and the run goes 
       run(folder, "(ulimit -f 60; trap '' XFSZ; '" PARHELION_BINARY
                   "' render radial.toml --resolution 32x32 --rays 1M -o p.exr --checkpoint 0.01s --progress json)");
   CHECK_MESSAGE(outcome.exit == 1, outcome.err);
-  CHECK(outcome.err.find("warning: no checkpoint: ") != std::string::npos);
+  CHECK(outcome.err.find("{\"warning\":\"no checkpoint: ") != std::string::npos);
   CHECK(outcome.err.find("warning") == outcome.err.rfind("warning"));
   CHECK_FALSE(std::filesystem::exists(folder / "p.tally.exr"));
 }

@@ -151,12 +151,17 @@ TEST_CASE("each name of a halo keeps light where that halo is") {
 }
 
 TEST_CASE("columns' arcs are where closed forms put them") {
-  // Light of 90 degree wedges: the supralateral arc touches the 46 degree ring, the infralateral arcs go on below.
-  for (const char* name : {"supralateral arc", "infralateral arc"}) {
-    const auto light = lightOf(name, kSun, 2.0);
+  // Light of 90 degree wedges that touches the 46 degree ring: the supralateral arc from above, the infralateral arcs
+  // from the sides and below.
+  const auto supralateral = lightOf("supralateral arc", kSun, 2.0), infralateral = lightOf("infralateral arc", kSun, 2.0);
+  for (const auto& light : {supralateral, infralateral}) {
     CHECK(least(light, &Kept::deviation) > 45.733 - 1e-3);
     CHECK(least(light, &Kept::deviation) < 45.733 + 0.1);
   }
+  CHECK(most(supralateral, &Kept::elevation) > kSun + 45.733 - 0.5);
+  CHECK(peak(supralateral, &Kept::elevation) > kSun);
+  CHECK(peak(infralateral, &Kept::elevation) < kSun);
+  CHECK(most(infralateral, &Kept::elevation) < kSun + 20.0);
   // Of light that would make tangent arcs, an end's reflection turns around what goes along the axis.
   const auto wegener = lightOf("Wegener arc", kSun, 2.0);
   CHECK(least(wegener, &Kept::deviation) > 21.839 - 1e-3);

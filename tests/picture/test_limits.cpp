@@ -26,10 +26,10 @@ std::string exrAttribute(const std::string& name, const std::string& type, const
   return name + zero + type + zero + littleEndian(static_cast<std::uint32_t>(value.size())) + value;
 }
 
-/// A header of one half channel and a picture of 32768 x 32768, with more attributes.
-std::string exrHeader(const std::string& more) {
+/// A header of one half channel and a picture of so many pixels a side, with more attributes.
+std::string exrHeader(const std::string& more, std::uint32_t side = 32768) {
   const std::string zero(1, '\0'),
-      window = littleEndian(0) + littleEndian(0) + littleEndian(32767) + littleEndian(32767);
+      window = littleEndian(0) + littleEndian(0) + littleEndian(side - 1) + littleEndian(side - 1);
   const std::string channel = "Y" + zero + littleEndian(1) + littleEndian(0) + littleEndian(1) + littleEndian(1) + zero;
   return exrAttribute("channels", "chlist", channel) + exrAttribute("compression", "compression", zero) +
          exrAttribute("dataWindow", "box2i", window) + exrAttribute("displayWindow", "box2i", window) +
@@ -148,14 +148,21 @@ TEST_CASE("EXR files of a billion tiles, of deep pixels or of thousands of parts
   const TemporaryDirectory directory;
   const auto path = directory / "bad.exr";
   const std::string tiles = exrAttribute("tiles", "tiledesc", littleEndian(1) + littleEndian(1) + std::string(1, '\0'));
-  std::string parts;
-  for (int i = 0; i < 3000; ++i)
-    parts +=
-        exrHeader(exrAttribute("name", "string", std::to_string(i)) + exrAttribute("type", "string", "scanlineimage") +
-                  exrAttribute("chunkCount", "int", littleEndian(32768)));
+  const auto parts = [](int count, std::uint32_t side, std::uint32_t chunks) {
+    std::string headers;
+    for (int i = 0; i < count; ++i)
+      headers += exrHeader(exrAttribute("name", "string", std::to_string(i)) +
+                               exrAttribute("type", "string", "scanlineimage") +
+                               exrAttribute("chunkCount", "int", littleEndian(chunks)),
+                           side);
+    return headers + std::string(1, '\0');
+  };
   const std::string deep = exrAttribute("type", "string", "deepscanline");
   for (const std::string& file : {exrFile(0x200, exrHeader(tiles)), exrFile(0, exrHeader(tiles)),
-                                  exrFile(0x800, exrHeader(deep)), exrFile(0x1000, parts + std::string(1, '\0')),
+                                  exrFile(0x800, exrHeader(deep)), exrFile(0x1000, parts(3000, 16, 16)),
+                                  // As many parts as there may be, with tables that are not in the file.
+                                  exrFile(0x1000, parts(1000, 32768, 32768)), exrFile(0x1000, parts(1000, 16, 32768)),
+                                  exrFile(0x1000, parts(250, 32768, 32768)),
                                   exrFile(0, exrHeader(exrAttribute("chunkCount", "int", littleEndian(0x7fffffff)))),
                                   exrFile(0, exrHeader(""))}) {
     put(path, file);

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "damage.h"
 #include "picture/temporary_directory.h"
 #include "render/measured_tally.h"
 #include "render/scenes.h"
@@ -165,6 +166,28 @@ TEST_CASE("tallies of skies, maps and profiles come back from their files to the
       CHECK_THROWS_AS(readMapTally(path), std::runtime_error);
     }
   }
+}
+
+TEST_CASE("a flipped bit or a cut in the tally of a map or a profile is refused, or changes nothing that is read") {
+  const TemporaryDirectory directory;
+  const auto path = directory / "t.exr";
+  const LoadedScene loaded = smallScene();
+  const Cloud cloud = cloudOf(loaded.scene);
+  const auto check = [&](const auto& tally, const auto& read) {
+    writeTally(path, tally);
+    const Survived survived = damaged(path, [&] {
+      auto found = read();
+      found.origin.version = tally.origin.version;
+      return same(found, tally);
+    });
+    CHECK(survived.readWrong == 0);
+    CHECK(survived.refused > 100);
+  };
+  MapTally map = emptyMapTally(loaded, cloud, 6);
+  traceRays(cloud, until(loaded.scene, cloud, {0, 300}), 0, map.sums);
+  map.origin.rays = {{0, 300}};
+  check(map, [&] { return readMapTally(path); });
+  check(tracedProfile(loaded, cloud, {0, 300}), [&] { return readProfileTally(path); });
 }
 
 TEST_CASE("maps and profiles of other bins or scenes do not add up") {

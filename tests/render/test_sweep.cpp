@@ -75,6 +75,15 @@ TEST_CASE("a sweep that is stopped goes on to the same files, without a word pri
   for (const std::string& name : whole.names()) CHECK_MESSAGE(contents(halted / name) == contents(whole / name), name);
 }
 
+TEST_CASE("previews and their sheet appear together or not at all") {
+  const TemporaryDirectory folder;
+  REQUIRE(renderFrames(planIn(folder), {}).complete);
+  CHECK_THROWS_AS(writePreviews(planIn(folder), {{}, folder / "none/sheet.png", nullptr}), std::runtime_error);
+  CHECK(folder.names().size() == 3);
+  CHECK(writePreviews(planIn(folder), {{}, folder / "sheet.png", nullptr}));
+  CHECK(folder.names().size() == 7);
+}
+
 TEST_CASE("a sweep whose time is over renders nothing") {
   const TemporaryDirectory folder;
   SweepControl control;

@@ -2,6 +2,7 @@
 // A tally's file is read as it was written, or refused.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <functional>
 #include <limits>
 #include <stdexcept>
@@ -78,6 +79,23 @@ TEST_CASE("a flipped bit or a cut in a radial tally is refused, or changes nothi
   const Survived survived = damaged(directory / "t.exr", [&] { return readTallyExr(directory / "t.exr") == tally; });
   CHECK(survived.readWrong == 0);
   CHECK(survived.refused > 100);
+}
+
+TEST_CASE("a file of sums has room for the numbers of 64 layers beside those of the whole") {
+  const TemporaryDirectory directory;
+  constexpr int kNumbers = 12, kLayers = 64;
+  std::vector<SumsPart> parts;
+  for (int i = 0; i < kNumbers * (kLayers + 1); ++i) parts.push_back({"part" + std::to_string(i), 5, 3});
+  writeSumsExr(directory / "l.exr", {}, parts, [](std::size_t part, std::size_t first, auto values) {
+    for (std::int64_t& value : values) value = static_cast<std::int64_t>(100 * part + first++);
+  });
+  SumsExr file(directory / "l.exr");
+  REQUIRE(file.parts().size() == parts.size());
+  const std::size_t last = parts.size() - 1;
+  const auto place = std::ranges::find(file.parts(), parts[last].name, &SumsPart::name) - file.parts().begin();
+  file.read(static_cast<std::size_t>(place), [&](std::size_t first, auto values) {
+    for (const std::int64_t value : values) CHECK(value == static_cast<std::int64_t>(100 * last + first++));
+  });
 }
 
 TEST_CASE("sums that no run makes are refused, though their checksums fit") {

@@ -45,8 +45,8 @@ std::span<const HaloPath> haloPaths() {
       {"46° halo", "1-3 | 3-1", {random}, kGreenler},
       {"circumzenithal arc", "1-3", {plate}, kGreenler},
       {"circumhorizontal arc", "3-2", {plate}, kGreenler},
-      {"supralateral arc", "1-3 | 3-1", {column}, kTape},
-      {"infralateral arc", "1-3 | 3-1", {column}, kTape},
+      {"supralateral arc", "3-1", {column}, kTape},
+      {"infralateral arc", "1-3", {column}, kTape},
       // Reflections.
       {"parhelic circle", "prism | 1-prism-2 | 1-prism-prism-prism-2", {plate}, kTape},
       {"120° parhelion", "1-3-4-2 | 1-3-5-2", {plate}, kTape},

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <thread>
 
+#include "parallel/run_clock.h"
 #include "render/ranks/rank_film.h"
 #include "render/ranks/rank_words.h"
 
@@ -19,9 +20,9 @@ using Clock = std::chrono::steady_clock;
 /// Traces whatever is dealt to rank 0 itself. Meanwhile another thread talks to the other ranks.
 void traceOwnBlocks(BlockDeal& deal, Tracer& tracer) {
   for (RayRange block = deal.next(0); block.count > 0; block = deal.next(0)) {
-    const Clock::time_point start = Clock::now();
+    const RunClock clock;
     tracer.trace(block, [](std::uint64_t) { return true; });
-    deal.note(0, block.count, std::chrono::duration<double>(Clock::now() - start).count());
+    deal.note(0, block.count, clock.seconds());
   }
 }
 

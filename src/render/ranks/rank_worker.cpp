@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <chrono>
 #include <csignal>
 #include <exception>
 #include <memory>
 
 #include "math/overloaded.h"
+#include "parallel/run_clock.h"
 #include "render/measured_sums.h"
 #include "render/ranks/rank_film.h"
 #include "render/ranks/rank_tracers.h"
@@ -46,26 +46,27 @@ std::unique_ptr<RunSums> RankWorker::emptySums(const Measurement& measurement) c
   return std::visit(
       Overloaded{[&](const SkyMeasurement&) -> Sums { return std::make_unique<SkySums>(loaded_, cloud_); },
                  [&](const MapMeasurement& map) -> Sums {
-                   return std::make_unique<MeasuredSums<MapTally>>(emptyMapTally(loaded_, cloud_, map.binsPerHalfTurn));
+                   return std::make_unique<MeasuredSums<MapTally>>(
+                       [this, map] { return emptyMapTally(loaded_, cloud_, map.binsPerHalfTurn); });
                  },
                  [&](const ProfileMeasurement& profile) -> Sums {
-                   return std::make_unique<MeasuredSums<ProfileTally>>(
-                       emptyProfileTally(loaded_, cloud_, profile.bins, profile.from, profile.to));
+                   return std::make_unique<MeasuredSums<ProfileTally>>([this, profile] {
+                     return emptyProfileTally(loaded_, cloud_, profile.bins, profile.from, profile.to);
+                   });
                  }},
       measurement);
 }
 
 /// Traces what rank 0 deals, until it deals no more. One block is always under way, so that none waits for it.
 void RankWorker::traceBlocks() {
-  using Clock = std::chrono::steady_clock;
   TimedBlock last;
   ask(last);
   RayRange block = blockFromText(ranks_.wait().text);
   while (block.count > 0) {
     ask(last);
-    const Clock::time_point start = Clock::now();
+    const RunClock clock;
     tracer_.trace(block, [](std::uint64_t) { return true; });
-    last = {block.count, std::chrono::duration<double>(Clock::now() - start).count()};
+    last = {block.count, clock.seconds()};
     block = blockFromText(ranks_.wait().text);
   }
   ranks_.send(0, Ranks::Subject::done, textOf(last));
