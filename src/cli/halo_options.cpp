@@ -61,7 +61,7 @@ MadeHalo HaloOptions::render(const PhotoCamera& camera) const {
   const HaloScene scene = sceneFor(camera);
   TraceWatch watch(run, scene.coarse.scene.trace.rays);
   const TracedSky traced = traceSky(scene.coarse, cloudOf(scene.coarse.scene), watch.control());
-  RunFigures figures = watch.report(traced);
+  RunFigures figures = watch.report(traced.report, traced.settings);
   return {haloOf(traced, scene, camera, run.threads), std::move(figures)};
 }
 

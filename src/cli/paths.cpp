@@ -148,10 +148,9 @@ int runPaths(const PathsOptions& options) {
   Transaction outputs =
       claimOutputs({{options.run.scene}, {options.csv, options.json, options.run.stats}}, options.run.overwrite);
   PathLedger ledger(cloud, scope);
-  const StopSignal stop;
-  TraceWatch watch(options.run, settings.rays, &stop);
-  TracedScene traced{traceRays(cloud, settings, 0, ledger, watch.control()), settings};
-  const int exit = watch.report(traced, outputs);
+  TraceWatch watch(options.run, settings.rays);
+  const TraceReport report = traceRays(cloud, settings, 0, ledger, watch.control());
+  const RunFigures figures = watch.report(report, settings);
   if (!options.rayFor.empty()) {
     const auto ray = ledger.brightestRay();
     if (!ray) throw std::runtime_error("no ray lit that part of the sky: more --rays or a larger --radius");
@@ -163,10 +162,11 @@ int runPaths(const PathsOptions& options) {
     if (options.top > 0 && entries.size() > static_cast<std::size_t>(options.top))
       entries.resize(static_cast<std::size_t>(options.top));
     if (!options.csv.empty()) writeText(outputs.at(options.csv), csvOf(entries, cloud));
-    if (!options.json.empty()) writeJson(outputs.at(options.json), jsonOf(entries, cloud, ledger, traced.report.rays));
+    if (!options.json.empty()) writeJson(outputs.at(options.json), jsonOf(entries, cloud, ledger, report.rays));
   }
+  if (!options.run.stats.empty()) writeJson(outputs.at(options.run.stats), statsJson(figures));
   outputs.commit();
-  return exit;
+  return kDone;
 }
 
 }  // namespace

@@ -70,7 +70,6 @@ struct ReconRun {
   double seconds = 0.0, cpuSeconds = 0.0;  // of the reconstruction alone
 };
 
-<<<<<<< HEAD
 /// The gains that options ask for. Throws Unfit for layers that the tally does not have.
 LayerGains gainsOf(const ReconOptions& options, const SkyTally& tally) {
   std::vector<std::string_view> accepted(tally.layers().begin(), tally.layers().end());
@@ -98,10 +97,6 @@ LayerGains gainsOf(const ReconOptions& options, const SkyTally& tally) {
 }
 
 ReconRun timedReconstruction(const ReconOptions& options, const SkyTally& tally, const ReconSettings& settings) {
-  using Clock = std::chrono::steady_clock;
-=======
-ReconRun timedReconstruction(const ReconOptions& options, const Tally& tally, const ReconSettings& settings) {
->>>>>>> main
   Progress progress(progressStyle(options.quiet, options.progress), Progress::kOfReconstruction);
   const double cpuBefore = processUsage().cpuSeconds;
   const RunClock clock;
@@ -110,14 +105,9 @@ ReconRun timedReconstruction(const ReconOptions& options, const Tally& tally, co
     const double seconds = clock.seconds();
     progress.update(share, seconds, [&](Progress::Style style) { return progressLine(style, share, seconds); });
   };
-<<<<<<< HEAD
   const LayerGains gains = gainsOf(options, tally);
   ReconRun run{withThreads(options.threads, [&] { return reconstruct(tally, settings, gains, watch); })};
-  run.seconds = elapsed();
-=======
-  ReconRun run{withThreads(options.threads, [&] { return reconstruct(tally, settings, watch); })};
   run.seconds = clock.seconds();
->>>>>>> main
   run.cpuSeconds = processUsage().cpuSeconds - cpuBefore;
   return run;
 }
@@ -241,12 +231,8 @@ int runRecon(const ReconOptions& options) {
     writePng(outputs.at(options.confidence), confidence(run.sky.image), {{"Software", kSoftware}});
   printComparison(options, run, references, outputs);
   files.run = &outputs;
-<<<<<<< HEAD
   const WrittenSky written = writeSkyFiles(files, std::move(run.sky.image), tally.info(), loaded);
-=======
-  const WrittenSky written = writeSkyFiles(files, std::move(run.sky.image), tally.info, loaded);
   if (!options.stats.empty()) writeReconStats(options, tally, nameOf(loaded.scene.recon), run, outputs);
->>>>>>> main
   outputs.commit();
   if (!options.quiet) reportPicture(files, written, run.sky.remarks);
   return kDone;

@@ -94,12 +94,8 @@ int runRender(const RenderOptions& options, Tracers& tracers) {
   if (run.endsWithoutPicture()) return run.exitCode();
   ReconstructedSky sky = picture.take();
   files.run = &outputs;
-<<<<<<< HEAD
   const WrittenSky written = writeSkyFiles(files, std::move(sky.image), sums.tally().info(), loaded);
-=======
-  const WrittenSky written = writeSkyFiles(files, std::move(sky.image), sums.tally().info, loaded);
   run.writeStats(outputs);
->>>>>>> main
   outputs.commit();
   if (!options.run.quiet) reportPicture(files, written, sky.remarks);
   return run.exitCode();

@@ -14,6 +14,7 @@
 #include "math/rotation.h"
 #include "render/measurements.h"
 #include "render/scene_attributes.h"
+#include "render/traced_sky.h"
 #include "view/crystal_drawing.h"
 
 namespace parhelion::cli {

@@ -68,10 +68,10 @@ TraceControl TraceWatch::control() {
   return control;
 }
 
-RunFigures TraceWatch::report(const TracedSky& traced) {
+RunFigures TraceWatch::report(const TraceReport& report, const TraceSettings& settings) {
   progress_.finish();
-  if (!options_.quiet) printLedger(traced.report);
-  return {traced.settings, traced.report, options_.threads, processUsage().cpuSeconds};
+  if (!options_.quiet) printLedger(report);
+  return {settings, report, options_.threads, processUsage().cpuSeconds};
 }
 
 }  // namespace parhelion::cli

@@ -37,7 +37,7 @@ class TraceWatch {
   TraceControl control();
 
   /// After the run: prints the energy ledger. Returns what --stats is to tell.
-  RunFigures report(const TracedSky& traced);
+  RunFigures report(const TraceReport& report, const TraceSettings& settings);
 
  private:
   const RunOptions& options_;

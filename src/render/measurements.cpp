@@ -14,16 +14,6 @@ TraceSettings settingsOfMeasurement(const Cloud& cloud, const TraceSettings& ask
   return chosenSettings(cloud, settings);
 }
 
-<<<<<<< HEAD
-TracedMap traceMap(const Scene& scene, int binsPerHalfTurn, const TraceControl& control) {
-  const Cloud cloud = cloudByLight(scene);
-  TracedMap traced{{{}, settingsOfMeasurement(cloud, scene.trace)}, SkyMap(cloud.sun().toCentre(), binsPerHalfTurn)};
-  traced.report = traceRays(cloud, traced.settings, 0, traced.map, control);
-  return traced;
-}
-
-=======
->>>>>>> main
 Image mapPicture(const SkyMap& map) {
   Image image{map.columns(), map.rows(), {}};
   image.add("Y");
@@ -37,16 +27,6 @@ Image mapPicture(const SkyMap& map) {
   return image;
 }
 
-<<<<<<< HEAD
-TracedProfile traceProfile(const Scene& scene, int bins, double from, double to, const TraceControl& control) {
-  const Cloud cloud = cloudByLight(scene);
-  TracedProfile traced{{{}, settingsOfMeasurement(cloud, scene.trace)}, ScatterProfile(bins, from, to)};
-  traced.report = traceRays(cloud, traced.settings, 0, traced.profile, control);
-  return traced;
-}
-
-=======
->>>>>>> main
 LightPath replayRay(const Scene& scene, const Cloud& cloud, std::uint64_t ray) {
   LightPath path;
   path.recordEncounters = true;

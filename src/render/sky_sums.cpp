@@ -26,32 +26,23 @@ Film& SkySums::film() {
 }
 
 void SkySums::read(const std::filesystem::path& path) {
-<<<<<<< HEAD
-  SkyTally held = readSkyTallyExr(path);
-  if (const std::string why = objectionToAdding(held.info(), tally_.info()); !why.empty())
-    throw std::invalid_argument(path.string() + " is of another run: " + why);
-  // The texts of the run that goes on, not of the one that began.
-  held.info().scene = tally_.info().scene;
-  held.info().version = tally_.info().version;
-  held.shareOrigin();
-=======
-  TallyInfo own = tally_.info;
+  TallyInfo own = tally_.info();
   own.rays.clear();
->>>>>>> main
   film_.reset();
   // The room of these sums is for those of the file.
-  tally_ = withoutPixels(own);
+  tally_ = SkyTally(withoutPixels(own));
   try {
     if (const std::string why = objectionToAdding(readTallyInfo(path), own); !why.empty())
       throw std::invalid_argument(path.string() + " is of another run: " + why);
-    tally_ = readTallyExr(path);
+    tally_ = readSkyTallyExr(path);
   } catch (...) {
     tally_ = emptyTally(loaded_, cloud_);
     throw;
   }
   // The texts of the run that goes on, not of the one that began.
-  tally_.info.scene = own.scene;
-  tally_.info.version = own.version;
+  tally_.info().scene = own.scene;
+  tally_.info().version = own.version;
+  tally_.shareOrigin();
 }
 
 void SkySums::write(const Output& file) const { writeSkyTallyExr(file, tally_); }

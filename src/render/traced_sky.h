@@ -22,15 +22,7 @@ TraceSettings chosenSettings(const Cloud& cloud, const TraceSettings& asked);
 struct TracedSky {
   TraceReport report;
   TraceSettings settings;  // as chosen
-<<<<<<< HEAD
-};
-
-/// A scene traced into the tally of its camera.
-struct TracedSky : TracedScene {
   SkyTally tally;
-=======
-  Tally tally;
->>>>>>> main
 };
 
 /// A tally of a scene's camera with all that is known before its rays are traced by this version of the program.

@@ -145,17 +145,11 @@ TEST_CASE("nothing is printed from a scene to its files") {
   const TracedSky traced = traceSky(loaded, cloudOf(loaded.scene));
   ReconstructedSky sky = developSky(traced, loaded, 2);
   const SkyFiles files{folder / "sky.exr", folder / "sky.png", 1.5};
-<<<<<<< HEAD
   const WrittenSky written = writeSkyFiles(files, sky.image, traced.tally.info(), loaded);
-  traceMap(loaded.scene, 18);
-  traceProfile(loaded.scene, 90, 0.0, kPi);
-=======
-  const WrittenSky written = writeSkyFiles(files, sky.image, traced.tally.info, loaded);
-  const Cloud cloud = cloudOf(loaded.scene);
+  const Cloud cloud = cloudByLight(loaded.scene);
   MapTally map = emptyMapTally(loaded, cloud, 18);
   traceRays(cloud, settingsOfMeasurement(cloud, loaded.scene.trace), 0, map.sums);
   writeTally(folder / "map.tally.exr", map);
->>>>>>> main
   CHECK(printed.text() == "");
   CHECK(written.exposure == 1.5);
   CHECK(written.badPixels == 0);
