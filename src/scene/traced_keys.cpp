@@ -101,7 +101,8 @@ class KeyLister {
 
   void tally(const Scene& scene, const TraceSettings& trace) {
     put("trace.symmetry", std::string(nameOf(trace.symmetry)));
-    put("trace.allocation", std::string(nameOf(trace.allocation)));
+    // The usual one is not told, so that scenes keep their hash.
+    if (trace.allocation != Allocation::automatic) put("trace.allocation", std::string(nameOf(trace.allocation)));
     layers(trace.paths);
     for (const auto& [attribute, value] : textFromCamera(scene.camera)) put(attribute, value);
     put("camera.resolution", std::to_string(scene.camera.width) + " " + std::to_string(scene.camera.height));

@@ -38,6 +38,7 @@ SkyTally emptyTally(const Cloud& cloud, const CameraSettings& camera, TallySymme
   TallyInfo info;
   info.camera = camera;
   info.white = cloud.spectrum().white();
+  info.sunElevation = std::asin(cloud.sun().toCentre().z);
   return SkyTally(info, cloud.spectrum().colours(), {symmetry});
 }
 
