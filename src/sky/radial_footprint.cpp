@@ -18,34 +18,32 @@ constexpr int kDeepest = 5;
 
 constexpr double kSlack = 1e-12;  // of the picture, for rounding at the border of the sky
 
-/// How x gx + y gy is distributed over a unit square about the origin: a trapezoid, with a >= b >= 0 the larger and
-/// the smaller of |gx| and |gy|, and a > 0.
+/// How x gx + y gy is distributed over a unit square about the origin: a trapezoid, with a > b >= 0 or a = b > 0 the
+/// larger and the smaller of |gx| and |gy|. The density grows with x gx + y gy, so that the mean is shifted.
 class Trapezoid {
  public:
-  Trapezoid(double a, double b) : a_(a), b_(b), reach_(0.5 * (a + b)), flat_(0.5 * (a - b)) {}
+  Trapezoid(double a, double b, double shift)
+      : reach_(0.5 * (a + b)),
+        flat_(0.5 * (a - b)),
+        perA_(1.0 / a),
+        perTwiceAB_(b > 0.0 ? 0.5 / (a * b) : 0.0),
+        slope_(12.0 * shift / (a * a + b * b)),
+        lowering_(b * perA_ * (reach_ + 2.0 * flat_) / 6.0) {}
 
   /// Share below t.
   double below(double t) const {
-    const double corner = reach_ - std::abs(t);
+    const double s = std::abs(t), corner = reach_ - s;
     if (corner <= 0.0) return t < 0.0 ? 0.0 : 1.0;
-    if (std::abs(t) < flat_) return 0.5 + t / a_;
-    const double share = 0.5 * (corner / a_) * (corner / b_);
-    return t < 0.0 ? share : 1.0 - share;
-  }
-
-  /// How much a density that grows with x gx + y gy lowers the share below t, per shift of the mean.
-  double lowering(double t) const {
-    const double s = std::abs(t);
-    if (s >= reach_) return 0.0;
-    const auto corner = [this](double c, double from) { return c / a_ * (c / b_) * (reach_ + 2.0 * from) / 6.0; };
-    const double moment =  // of the values beyond s
-        s < flat_ ? (b_ / a_) * (reach_ + 2.0 * flat_) / 6.0 + 0.5 * (flat_ - s) * (flat_ + s) / a_
-                  : corner(reach_ - s, s);
-    return 12.0 * moment / (a_ * a_ + b_ * b_);
+    // The slope lowers the share below t by as much as below -t.
+    if (s < flat_) return 0.5 + t * perA_ - slope_ * (lowering_ + 0.5 * perA_ * (flat_ - s) * (flat_ + s));
+    const double beyond = corner * corner * perTwiceAB_, lowered = slope_ * beyond * (reach_ + 2.0 * s) / 3.0;
+    return (t < 0.0 ? beyond : 1.0 - beyond) - lowered;
   }
 
  private:
-  double a_, b_, reach_, flat_;
+  double reach_, flat_, perA_, perTwiceAB_;
+  double slope_;     // of the density
+  double lowering_;  // of the share below flat_, per slope
 };
 
 /// Solid angle of a small triangle.
@@ -98,13 +96,16 @@ Vec2 SkyBorder::moved(Vec2 pixel) const {
 
 Vec2 SkyBorder::innermost(Vec2 lo, double size) const { return glm::clamp(centre_, lo, lo + size); }
 
-RadialFootprint::RadialFootprint(const Camera& camera, const RadialSky& sky)
+RadialFootprint::RadialFootprint(const Camera& camera, const RadialSky& sky, int columns)
     : camera_(withoutHorizon(camera)),
       sky_(sky),
       border_(camera_),
       cutsHorizon_(camera.cutsHorizon()),
+      columns_(columns),
       solidAngles_(camera.solidAngles()),
-      share_(static_cast<std::size_t>(sky.bins()), 0.0) {}
+      share_(static_cast<std::size_t>(sky.bins()), 0.0) {
+  if (camera_.settings().projection == Projection::equirectangular) grid_.emplace(camera_);
+}
 
 void RadialFootprint::setRow(int y) {
   upper_ = y == row_ + 1 && y > 0 ? std::move(lower_) : cornersAt(y);
@@ -122,24 +123,30 @@ void RadialFootprint::setPixel(int x) {
   slope_ = slopeAt(x);
   bendX_ = bendAt(x);
   const Cell cell{{x, row_}, 1.0, {{upper_[x], upper_[x + 1]}, {lower_[x], lower_[x + 1]}}};
-  cover(cell, 0);
+  cover(cell, pointOnGrid(2 * x + 1, 2 * row_ + 1), 0);
   if (total_ == 0.0) spread(pointAt(border_.innermost(cell.lo, cell.size)).place, 0.0, 0.0, 0.0, 1.0);
   perShare_ = solidAngle / total_;
 }
 
-RadialFootprint::Point RadialFootprint::pointAt(Vec2 pixel) const {
-  const auto seen = camera_.toSky(pixel);
+RadialFootprint::Point RadialFootprint::pointToward(const std::optional<Vec3>& seen, Vec2 pixel) const {
   Vec3 toSky = seen ? *seen : camera_.directionAt(border_.moved(pixel)).value();
   const bool isBelow = cutsHorizon_ && toSky.z < 0.0;
   if (isBelow) toSky = onHorizon(toSky);
   return {toSky, sky_.place(toSky), !seen || isBelow};
 }
 
+/// A corner or a centre of a pixel, at half of these coordinates.
+RadialFootprint::Point RadialFootprint::pointOnGrid(int twiceX, int twiceY) const {
+  const Vec2 pixel = 0.5 * Vec2(twiceX, twiceY);
+  return grid_ ? pointToward(grid_->toSky(twiceX, twiceY), pixel) : pointAt(pixel);
+}
+
 /// The corners of the pixels on a horizontal line of the picture.
 std::vector<RadialFootprint::Point> RadialFootprint::cornersAt(int y) const {
+  const int last = std::min(columns_ + 1, camera_.width());  // one more than pixels have: bendAt() looks beyond
   std::vector<Point> corners;
-  corners.reserve(static_cast<std::size_t>(camera_.width()) + 1);
-  for (int x = 0; x <= camera_.width(); ++x) corners.push_back(pointAt({x, y}));
+  corners.reserve(static_cast<std::size_t>(last) + 1);
+  for (int x = 0; x <= last; ++x) corners.push_back(pointOnGrid(2 * x, 2 * y));
   return corners;
 }
 
@@ -165,9 +172,17 @@ double RadialFootprint::area(const Cell& cell, const Point& centre) {
          triangle(centre.toSky, d, a);
 }
 
-void RadialFootprint::cover(const Cell& cell, int depth) {
+/// By how much the density's change across a cell would lead its shares astray.
+double RadialFootprint::steepness(const Vec2& slope, double gx, double gy) const {
+  if (!grid_) return std::abs(slope.x) + std::abs(slope.y);
+  // A panorama's density changes with latitude alone, and as evenly as can be down to the poles. The less the place
+  // among the rings changes with longitude, the less a steep change harms.
+  const double across = std::abs(gx), along = std::abs(gy);
+  return std::abs(slope.y) * (across < along ? across / along : 1.0);
+}
+
+void RadialFootprint::cover(const Cell& cell, const Point& centre, int depth) {
   const auto& at = cell.at;
-  const Point centre = pointAt(cell.lo + 0.5 * cell.size);
   const bool cut = centre.moved || at[0][0].moved || at[0][1].moved || at[1][0].moved || at[1][1].moved;
   if (cut && !camera_.directionAt(border_.innermost(cell.lo, cell.size))) return;
   const auto isAbove = [](const Point& point) { return point.toSky.z > 0.0; };
@@ -179,17 +194,18 @@ void RadialFootprint::cover(const Cell& cell, int depth) {
   const double rise = 0.25 * (p00 + p10 + p01 + p11) - centre.place;  // 1/8 of the Laplacian
   const double xx = cell.size * cell.size * bendX_, yy = 8.0 * rise - xx, xy = p00 - p10 - p01 + p11;
   const double bend = std::abs(xx) + std::abs(yy) + std::abs(xy);
-  const Vec2 slope = cell.size * slope_;
+  const Vec2 slope = cell.size * (grid_ && depth > 0 ? Vec2(0.0, grid_->slopeAt(centre.toSky)) : slope_);
   const bool linear = cell.size * bend <= kLargestBend * (std::abs(gx) + std::abs(gy)) &&
-                      cell.size * (std::abs(slope.x) + std::abs(slope.y)) <= kSteepest;
+                      cell.size * steepness(slope, gx, gy) <= kSteepest;
   if ((cut || !linear) && depth < kDeepest) return split(cell, centre, depth);
   // Second order along the gradient: the corners are where the linear form has them, what lies between is shifted.
   // Across it, the rings are curved: that moves the mean alone.
   const double g2 = gx * gx + gy * gy;
   const double along = g2 > 0.0 ? (gx * gx * xx + 2.0 * gx * gy * xy + gy * gy * yy) / g2 : 0.0;
   const double across = xx + yy - along;
+  // The weights of a pixel's cells are relative: one that is alone needs none.
   spread(centre.place + along / 8.0 + across / 24.0, gx, gy, (slope.x * gx + slope.y * gy - along) / 12.0,
-         area(cell, centre));
+         depth == 0 ? 1.0 : area(cell, centre));
 }
 
 void RadialFootprint::split(const Cell& cell, const Point& centre, int depth) {
@@ -204,7 +220,8 @@ void RadialFootprint::split(const Cell& cell, const Point& centre, int depth) {
   grid[1][1] = centre;
   for (int j = 0; j < 2; ++j) {
     for (int i = 0; i < 2; ++i) {
-      cover({cell.lo + half * Vec2(i, j), half, {{grid[j][i], grid[j][i + 1]}, {grid[j + 1][i], grid[j + 1][i + 1]}}},
+      const Vec2 lo = cell.lo + half * Vec2(i, j);
+      cover({lo, half, {{grid[j][i], grid[j][i + 1]}, {grid[j + 1][i], grid[j + 1][i + 1]}}}, pointAt(lo + 0.5 * half),
             depth + 1);
     }
   }
@@ -212,20 +229,24 @@ void RadialFootprint::split(const Cell& cell, const Point& centre, int depth) {
 
 /// Adds a cell about `place` with these differences of place from side to side and this shift of its mean.
 void RadialFootprint::spread(double place, double gx, double gy, double shift, double weight) {
-  const double a = std::max(std::abs(gx), std::abs(gy)), b = std::min(std::abs(gx), std::abs(gy));
+  const double a = std::max(std::abs(gx), std::abs(gy)), smaller = std::min(std::abs(gx), std::abs(gy));
+  constexpr double kNarrow = 1e-12;  // of a; a trapezoid's side this narrow is upright, and 1 / (a b) stays finite
+  const double b = smaller > kNarrow * a ? smaller : 0.0;
   const double reach = 0.5 * (a + b);
-  // Beyond this shift a share would be negative. Only cells that cannot be split further come close.
-  const double most = reach > 0.0 ? (a * a + b * b) / (12.0 * reach) : 0.0;
-  shift = std::clamp(shift, -most, most);
   const auto binAt = [this](double p) { return std::clamp(static_cast<int>(p), 0, sky_.bins() - 1); };
   const int from = binAt(place - reach), to = binAt(place + reach);
-  const Trapezoid shape(a, b);
   double below = 0.0;
-  for (int bin = from; bin <= to; ++bin) {
-    const double next = bin == to ? 1.0 : shape.below(bin + 1 - place) - shift * shape.lowering(bin + 1 - place);
-    share_[static_cast<std::size_t>(bin)] += weight * (next - below);
-    below = next;
+  if (from < to) {
+    // Beyond this shift a share would be negative. Only cells that cannot be split further come close.
+    const double most = (a * a + b * b) / (12.0 * reach);
+    const Trapezoid shape(a, b, std::clamp(shift, -most, most));
+    for (int bin = from; bin < to; ++bin) {
+      const double next = shape.below(bin + 1 - place);
+      share_[static_cast<std::size_t>(bin)] += weight * (next - below);
+      below = next;
+    }
   }
+  share_[static_cast<std::size_t>(to)] += weight * (1.0 - below);
   first_ = std::min(first_, from);
   last_ = std::max(last_, to);
   total_ += weight;

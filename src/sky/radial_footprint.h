@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "math/conventions.h"
 #include "sky/camera.h"
+#include "sky/panorama_grid.h"
 #include "sky/radial_sky.h"
 
 namespace parhelion {
@@ -28,8 +30,8 @@ class SkyBorder {
 /// Which rings of a radial sky a pixel lies in, and how much of it in each.
 class RadialFootprint {
  public:
-  /// The sky must outlive the footprint.
-  RadialFootprint(const Camera& camera, const RadialSky& sky);
+  /// For the first `columns` pixels of each row. The sky must outlive the footprint.
+  RadialFootprint(const Camera& camera, const RadialSky& sky, int columns);
 
   /// Takes a row of the picture, then a pixel of it.
   void setRow(int y);
@@ -57,12 +59,15 @@ class RadialFootprint {
     Point at[2][2];  // corners, [y][x]
   };
 
-  Point pointAt(Vec2 pixel) const;
+  Point pointAt(Vec2 pixel) const { return pointToward(camera_.toSky(pixel), pixel); }
+  Point pointToward(const std::optional<Vec3>& seen, Vec2 pixel) const;
+  Point pointOnGrid(int twiceX, int twiceY) const;
   std::vector<Point> cornersAt(int y) const;
   Vec2 slopeAt(int x) const;
   double bendAt(int x) const;
+  double steepness(const Vec2& slope, double gx, double gy) const;
   static double area(const Cell& cell, const Point& centre);
-  void cover(const Cell& cell, int depth);
+  void cover(const Cell& cell, const Point& centre, int depth);
   void split(const Cell& cell, const Point& centre, int depth);
   void spread(double place, double gx, double gy, double shift, double weight);
 
@@ -70,6 +75,8 @@ class RadialFootprint {
   const RadialSky& sky_;
   SkyBorder border_;
   bool cutsHorizon_;
+  int columns_;
+  std::optional<PanoramaGrid> grid_;
   std::vector<double> solidAngles_;  // of all pixels
   int row_ = -1;
   std::vector<Point> upper_, lower_;  // corners of the row's pixels

@@ -76,24 +76,40 @@ bool RadialSky::fitsPixels() const {
   return std::ranges::all_of(sums, [](double sum) { return sum < kSafe; });
 }
 
-void RadialSky::setPixel(Tally& tally, int pixel, const RadialFootprint& footprint) const {
-  std::array<double, 6> sums{};
-  double squaredHits = 0.0;
-  for (int bin = footprint.first(); bin <= footprint.last(); ++bin) {
-    const SumLine& ring = rings_[static_cast<std::size_t>(bin)];
-    const double ofRing = footprint.solidAngle(bin) / solidAngle(bin);
-    for (int slot = 0; slot < tally.slots(); ++slot) {
-      const double factor = slot == Tally::kSquares ? ofRing * ofRing : ofRing;
-      sums[static_cast<std::size_t>(slot)] += factor * static_cast<double>(ring.place[static_cast<std::size_t>(slot)]);
+/// What each ring gives for its share in a pixel: all sums in proportion to the share, but the squares and hits in
+/// proportion to its square.
+struct RadialSky::Densities {
+  // Places of TallySlots, and one more.
+  static constexpr std::size_t kSquaredHits = 6;
+  std::vector<std::array<double, 8>> ofRings;
+
+  explicit Densities(const RadialSky& sky) : ofRings(sky.rings_.size()) {
+    for (int bin = 0; bin < sky.bins(); ++bin) {
+      const double perSolidAngle = 1.0 / sky.solidAngle(bin);
+      const auto& ring = sky.rings_[static_cast<std::size_t>(bin)].place;
+      auto& density = ofRings[static_cast<std::size_t>(bin)];
+      for (std::size_t k = 0; k < ring.size(); ++k) density[k] = perSolidAngle * static_cast<double>(ring[k]);
+      density[Tally::kSquares] *= perSolidAngle;
+      density[kSquaredHits] = perSolidAngle * density[Tally::kHits];
     }
-    squaredHits += ofRing * ofRing * static_cast<double>(ring.place[Tally::kHits]);
   }
-  // n hits of one weight have the square of their sum n times the sum of their squares.
-  if (squaredHits > 0.0) sums[Tally::kHits] *= sums[Tally::kHits] / squaredHits;
-  for (int slot = 0; slot < tally.slots(); ++slot) {
-    tally.setRaw(pixel, slot, toFixed(sums[static_cast<std::size_t>(slot)], 1.0));
+
+  /// The integers of a pixel.
+  SumLine over(const RadialFootprint& footprint) const {
+    std::array<double, 8> sums{};
+    for (int bin = footprint.first(); bin <= footprint.last(); ++bin) {
+      const auto& density = ofRings[static_cast<std::size_t>(bin)];
+      const double w = footprint.solidAngle(bin), w2 = w * w;
+      const double factor[8] = {w, w, w2, w, w, w, w2, 0.0};
+      for (std::size_t k = 0; k < sums.size(); ++k) sums[k] += factor[k] * density[k];
+    }
+    // n hits of one weight have the square of their sum n times the sum of their squares.
+    if (sums[kSquaredHits] > 0.0) sums[Tally::kHits] *= sums[Tally::kHits] / sums[kSquaredHits];
+    SumLine pixel;
+    for (std::size_t k = 0; k < kSquaredHits; ++k) pixel.place[k] = toFixed(sums[k], 1.0);
+    return pixel;
   }
-}
+};
 
 bool RadialSky::isDark() const {
   return std::ranges::all_of(rings_, [](const SumLine& ring) { return ring == SumLine{}; });
@@ -119,15 +135,27 @@ void RadialSky::spread(std::span<const Spreading> all) {
       lit.push_back({sky, tally});
   }
   if (lit.empty()) return;
+  std::vector<Densities> densities;
+  for (const auto& [sky, tally] : lit) densities.emplace_back(*sky);
   const int width = lit.front().tally->width();
   for (const PicturePart& part : partsOf(lit.front().tally->info.camera)) {
     const Camera camera(part.camera);
-    RadialFootprint footprint(camera, first);
+    // Where the right half shows the mirror image of the left, the left is enough.
+    const bool folds = camera.isMirrorSymmetric() && first.toCentre_.y == 0.0;
+    const int columns = folds ? (camera.width() + 1) / 2 : camera.width();
+    RadialFootprint footprint(camera, first, columns);
     for (int y = 0; y < camera.height(); ++y) {
       footprint.setRow(y);
-      for (int x = 0; x < camera.width(); ++x) {
+      for (int x = 0; x < columns; ++x) {
         footprint.setPixel(x);
-        for (const auto& [sky, tally] : lit) sky->setPixel(*tally, y * width + part.left + x, footprint);
+        const int left = y * width + part.left, mirrored = folds ? camera.width() - 1 - x : x;
+        for (std::size_t i = 0; i < lit.size(); ++i) {
+          const SumLine sums = densities[i].over(footprint);
+          Tally& tally = *lit[i].tally;
+          for (int slot = 0; slot < tally.slots(); ++slot)
+            for (const int column : {x, mirrored})
+              tally.setRaw(left + column, slot, sums.place[static_cast<std::size_t>(slot)]);
+        }
       }
     }
   }

@@ -16,7 +16,6 @@
 
 namespace parhelion {
 
-class RadialFootprint;
 class Tally;
 
 /// The light of a sky that is the same all around one direction, its centre. It is summed in rings about the centre, as
@@ -146,8 +145,7 @@ class RadialSky {
   /// Throws std::invalid_argument unless the rings of both are the same.
   void requireSameRings(const RadialSky& other) const;
 
-  /// Integrates the rings over a pixel that covers `footprint`.
-  void setPixel(Tally& tally, int pixel, const RadialFootprint& footprint) const;
+  struct Densities;
 
   Vec3 toCentre_, perWhite_;
   int colours_;

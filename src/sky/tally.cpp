@@ -161,12 +161,15 @@ void Tally::addMirrorImage() {
   for (int y = 0; y < height_; ++y) {
     for (int x = 0; 2 * x < width_; ++x) {
       const int left = y * width_ + x, right = y * width_ + width_ - 1 - x;
+      std::int64_t *sums = &at(static_cast<std::size_t>(left) * stride_),
+                   *mirrored = &at(static_cast<std::size_t>(right) * stride_);
       for (int slot = 0; slot < slots(); ++slot) {
-        const int images = left != right ? 2 : timesInMiddle(slot);
-        std::int64_t sum = 0;
-        for (int i = 0; i < images; ++i) addFixed(sum, raw(i == 0 ? left : right, slot));
-        setRaw(left, slot, sum);
-        setRaw(right, slot, sum);
+        const std::int64_t one = sums[slot];
+        if (left != right)
+          addFixed(sums[slot], mirrored[slot]);
+        else
+          for (int times = timesInMiddle(slot); times > 1; --times) addFixed(sums[slot], one);
+        mirrored[slot] = sums[slot];
       }
     }
   }

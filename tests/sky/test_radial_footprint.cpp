@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <random>
@@ -153,6 +154,53 @@ TEST_CASE("an edge of the profile is spread to 1e-3 of a pixel in every projecti
       }
       if (count > 0.0) CHECK(std::sqrt(squares / count) < 6e-4 + sampling);
     }
+  }
+}
+
+TEST_CASE("an edge through a panorama's pole is spread to 1e-3 of a pixel") {
+  const TallyInfo i = info(Projection::equirectangular, 360, 400, 200, 0);
+  const Camera camera(i.camera);
+  const double sampling = std::sqrt(2.0 * kSide * 0.25) / (kSide * kSide);
+  for (const double row : {0.3, 0.8, 1.6, 2.5, 5.4}) {
+    // Towards the sun, away from it, and, where the edge runs along the pixels of a column, in between.
+    for (const double longitude : {200.0, 2.0, 90.5, 101.5, 104.0, 120.5}) {
+      CAPTURE(row);
+      CAPTURE(longitude);
+      const Vec3 toEdge = camera.toSky({longitude, row}).value();
+      const RadialSky empty(i, kSun, 1);
+      const int edge = empty.binAt(toEdge);
+      const auto lit = [edge](int bin) { return bin >= edge ? 1.0 : 0.0; };
+      const RadialSky sky = skyOf(i, lit);
+      const int x = static_cast<int>(longitude), y = static_cast<int>(row);
+      const double full = kBright * camera.solidAngle(x, y);
+      const double error = spread(sky, i).luminance(y * 400 + x) / full - sampled(camera, sky, x, y, lit).mean;
+      CHECK(std::abs(error) < 1e-3 + kSigmas * sampling);
+    }
+  }
+}
+
+TEST_CASE("a picture that is its own mirror image holds the same light as one from all of its pixels") {
+  for (const auto& [projection, width] : std::vector<std::pair<Projection, int>>{{Projection::equirectangular, 120},
+                                                                                 {Projection::fisheyeEqualArea, 81},
+                                                                                 {Projection::rectilinear, 80},
+                                                                                 {Projection::globe, 61}}) {
+    CAPTURE(std::string(nameOf(projection)));
+    TallyInfo i = info(projection,
+                       projection == Projection::equirectangular ? 360
+                       : projection == Projection::rectilinear   ? 90
+                                                                 : 180,
+                       width, 60, 12);
+    i.camera.roll = 0.0;
+    TallyInfo turned = i;
+    turned.camera.roll = 1e-12;  // no mirror image any more
+    REQUIRE(Camera(i.camera).isMirrorSymmetric());
+    REQUIRE_FALSE(Camera(turned.camera).isMirrorSymmetric());
+    const auto radiance = [](int bin) { return 1.0 + std::sin(0.01 * bin); };
+    const Tally folded = spread(skyOf(i, radiance), i), whole = spread(skyOf(turned, radiance), turned);
+    double brightest = 0.0;
+    for (int p = 0; p < whole.pixels(); ++p) brightest = std::max(brightest, whole.luminance(p));
+    for (int p = 0; p < whole.pixels(); ++p)
+      CHECK(std::abs(folded.luminance(p) - whole.luminance(p)) < 1e-3 * brightest);
   }
 }
 
