@@ -174,7 +174,8 @@ int runPaths(const PathsOptions& options) {
 void addPaths(CLI::App& app, int& exit) {
   auto options = std::make_shared<PathsOptions>();
   CLI::App* command = app.add_subcommand(
-      "paths", "Which raypaths make the light: of the whole sky or of a part of it, most light first, with their names");
+      "paths",
+      "Which raypaths make the light: of the whole sky or of a part of it, most light first, with their names");
   options->run.addTo(*command, false);
   CLI::Option* at = command->add_option("--at", options->at, "Only light from about this place of the sky, degrees")
                         ->type_name("AZ,EL")
@@ -184,8 +185,10 @@ void addPaths(CLI::App& app, int& exit) {
       ->transform(number(0.001, 180.0));
   command->add_option("--layer", options->layer, "Only light of this layer of the scene, or of the rest")
       ->type_name("NAME");
-  command->add_option("--symmetry", options->symmetry, "Which paths count as one: up to the crystal's symmetry, up to "
-                                                       "that which leaves its orientations alone, or none")
+  command
+      ->add_option("--symmetry", options->symmetry,
+                   "Which paths count as one: up to the crystal's symmetry, up to "
+                   "that which leaves its orientations alone, or none")
       ->type_name("crystal|orientation|none")
       ->check(nameOfOne<PathSymmetry>());
   command->add_option("--top", options->top, "Only so many paths; 20 on the terminal and all in files when left out")

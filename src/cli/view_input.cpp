@@ -56,8 +56,7 @@ std::optional<std::string> ViewInput::scene() const {
   return found == photograph.text.end() ? std::nullopt : std::optional(found->second);
 }
 
-ViewInput readViewInput(const std::string& path, const PhotographRules& rules,
-                        const std::vector<std::string>& layers) {
+ViewInput readViewInput(const std::string& path, const PhotographRules& rules, const std::vector<std::string>& layers) {
   ViewInput input;
   requireFit(path, Wanted::view);
   input.path = input.sceneFile = path;

@@ -98,8 +98,8 @@ bool kinds::Layers::read(const Value& in, std::vector<LayerSettings>& out) const
     if (!table) return Value{node, in.key, in.complaints}.mustBe("a list of tables");
     out.push_back(readLayer(*table, in.complaints));
     if (!out.back().name.empty() && !names.insert(out.back().name).second)
-      Value{*table->get("name"), in.key, in.complaints}.reject("the name of this layer is taken: \"" +
-                                                               out.back().name + '"');
+      Value{*table->get("name"), in.key, in.complaints}.reject("the name of this layer is taken: \"" + out.back().name +
+                                                               '"');
   }
   return true;
 }
@@ -113,8 +113,7 @@ Json kinds::Layers::schema() const {
 namespace {
 
 /// Complains about names that no population has.
-void checkNames(const std::vector<std::string>& names, const Scene& scene, const Place& place,
-                Complaints& complaints) {
+void checkNames(const std::vector<std::string>& names, const Scene& scene, const Place& place, Complaints& complaints) {
   std::vector<std::string_view> accepted;
   for (const PopulationSettings& population : scene.populations) accepted.push_back(population.name);
   for (const std::string& name : names)

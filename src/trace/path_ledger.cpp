@@ -19,7 +19,8 @@ namespace {
 
 /// A number in (0, 1) for an exit, whatever thread meets it.
 double chanceOf(std::uint64_t ray, int order) {
-  return toUnitInterval(randomWords<std::uint64_t>(0, RandomPurpose::pilot, static_cast<std::uint32_t>(order), ray).first);
+  return toUnitInterval(
+      randomWords<std::uint64_t>(0, RandomPurpose::pilot, static_cast<std::uint32_t>(order), ray).first);
 }
 
 /// Where samples, all of the same light, lie densest: first within a wide circle, then within a narrow one about what
@@ -90,11 +91,11 @@ class HaloNames {
 PathLedger::PathLedger(const Cloud& cloud, const PathLedgerScope& scope)
     : cloud_(cloud), scope_(scope), known_(cloud.populations().size()) {
   for (const Population& population : cloud.populations())
-    populations_.push_back({PathClasses(population.mesh(), pathSymmetries(population.mesh(), population.orientation(),
-                                                                          scope.symmetry)),
-                            {},
-                            {},
-                            {}});
+    populations_.push_back(
+        {PathClasses(population.mesh(), pathSymmetries(population.mesh(), population.orientation(), scope.symmetry)),
+         {},
+         {},
+         {}});
 }
 
 std::unique_ptr<Film> PathLedger::forThread() { return std::make_unique<PathLedger>(cloud_, scope_); }
@@ -227,8 +228,7 @@ std::vector<PathLedger::Entry> PathLedger::entries(double wavelength) const {
       std::vector<Vec3> toSky;
       for (const Sample& one : samples) toSky.push_back(one.toSky);
       entries.push_back({own.classes.text(own.classAt[i]), static_cast<int>(p), share,
-                         std::sqrt(std::max(0.0, variance)) / all,
-                         densestAmong(toSky),
+                         std::sqrt(std::max(0.0, variance)) / all, densestAmong(toSky),
                          own.classes.leastDeviation(own.classAt[i], index), names.of(own.classAt[i])});
     }
   }

@@ -44,10 +44,10 @@ class PathLedger : public Film {
   struct Entry {
     std::string path;  // a pattern
     int population;
-    double share, error;           // of all light in scope, and its standard error
-    Vec3 toPeak;                   // unit world vector to where its light is densest on the sky
+    double share, error;                   // of all light in scope, and its standard error
+    Vec3 toPeak;                           // unit world vector to where its light is densest on the sky
     std::optional<double> leastDeviation;  // rad
-    std::string name;              // of the halos that patterns call so, with " / " between them; may be empty
+    std::string name;                      // of the halos that patterns call so, with " / " between them; may be empty
   };
 
   /// Most light first. Refractive indices are those of `wavelength` (nm).

@@ -44,13 +44,12 @@ double tiltOf(const OrientationSettings& orientation, const Vec3& crystalY, cons
     // Of angles beyond a pole, where the axis comes down.
     return std::abs(zenithAngle(axis) - std::abs(std::remainder(centreOf(rest), 2.0 * kPi)));
   };
-  return std::visit(
-      Overloaded{
-          [&](const RandomOrientation&) { return zenithAngle(crystalZ); },
-          [&](const AxisOrientation& axis) { return from(axis.zenith, crystalZ); },
-          [&](const LowitzOrientation& lowitz) { return from(lowitz.axisZenith, crystalY); },
-      },
-      orientation);
+  return std::visit(Overloaded{
+                        [&](const RandomOrientation&) { return zenithAngle(crystalZ); },
+                        [&](const AxisOrientation& axis) { return from(axis.zenith, crystalZ); },
+                        [&](const LowitzOrientation& lowitz) { return from(lowitz.axisZenith, crystalY); },
+                    },
+                    orientation);
 }
 
 PathPlan::PathPlan(const Cloud& cloud, const PathSettings& settings, bool sequences)

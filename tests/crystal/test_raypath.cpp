@@ -25,7 +25,9 @@ const CrystalMesh& prism() {
 
 AxisOrientation plate() { return {Normal{0.0, radians(1)}}; }
 AxisOrientation column() { return {Normal{0.5 * kPi, radians(1)}}; }
-AxisOrientation parry() { return {Normal{0.5 * kPi, radians(1)}, UniformRange{0.0, 2.0 * kPi}, Normal{0.0, radians(1)}}; }
+AxisOrientation parry() {
+  return {Normal{0.5 * kPi, radians(1)}, UniformRange{0.0, 2.0 * kPi}, Normal{0.0, radians(1)}};
+}
 
 std::size_t orderOf(const OrientationSettings& orientation, PathSymmetry symmetry = PathSymmetry::orientation,
                     const CrystalMesh& mesh = prism()) {
@@ -50,7 +52,8 @@ bool takes(const std::string& text, const std::vector<int>& path, const Orientat
 }
 
 /// All images of a path.
-std::set<std::vector<int>> classOf(std::vector<int> path, const OrientationSettings& orientation, PathSymmetry symmetry) {
+std::set<std::vector<int>> classOf(std::vector<int> path, const OrientationSettings& orientation,
+                                   PathSymmetry symmetry) {
   std::set<std::vector<int>> images;
   for (const std::vector<int>& image : pathSymmetries(prism(), orientation, symmetry)) {
     std::vector<int> moved;

@@ -133,7 +133,8 @@ TEST_CASE("pictures of layers add up to the whole picture to float rounding, and
         size += std::abs(at(image, layer + "." + colour));
       }
       worst = std::max(worst, std::abs(sum - at(image, colour)) / size);
-      const double expected = sum - 0.5 * at(image, std::string("wedge.") + colour) - at(image, std::string("rest.") + colour);
+      const double expected =
+          sum - 0.5 * at(image, std::string("wedge.") + colour) - at(image, std::string("rest.") + colour);
       apart = std::max(apart, std::abs(expected - at(relit, colour)) / size);
     }
   CHECK(worst < 1.2e-7);
@@ -141,8 +142,11 @@ TEST_CASE("pictures of layers add up to the whole picture to float rounding, and
 }
 
 TEST_CASE("the picture of a mixed cloud has no other light than that without symmetry, where errors say so") {
-  for (const auto& overrides : std::vector<std::vector<std::string>>{
-           {}, {"sun.elevation=5"}, {"population.columns.orientation='column'", "population.plates.tilt=", "population.plates.orientation='random'"}}) {
+  for (const auto& overrides :
+       std::vector<std::vector<std::string>>{{},
+                                             {"sun.elevation=5"},
+                                             {"population.columns.orientation='column'",
+                                              "population.plates.tilt=", "population.plates.orientation='random'"}}) {
     std::vector<std::string> plain = overrides, mixed = overrides;
     for (auto* both : {&plain, &mixed}) both->push_back("trace.rays=400000");
     plain.push_back("trace.symmetry='none'");

@@ -140,8 +140,7 @@ TEST_CASE("errors of shares are those of many runs, within the scatter of such")
   std::vector<double> shares;
   double stated = 0.0;
   for (int seed = 1; seed <= kRuns; ++seed) {
-    const auto entries =
-        ledgerOf(cloud, {.rays = 2'000, .seed = static_cast<std::uint64_t>(seed)}).entries(kReference);
+    const auto entries = ledgerOf(cloud, {.rays = 2'000, .seed = static_cast<std::uint64_t>(seed)}).entries(kReference);
     const PathLedger::Entry& entry = entryOf(entries, "3-2-5");
     shares.push_back(entry.share);
     stated += entry.error * entry.error / kRuns;

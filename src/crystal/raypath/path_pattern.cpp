@@ -200,7 +200,8 @@ class PatternParser {
     skipSpaces();
     if (!atEnd() && isDigit(peek())) return {false, {faceNumber()}};
     const std::string_view name = word();
-    if (name.empty()) failAt("a face should stand here: a number, '?', '*', '(' or one of basal, prism, pyramid, upper, lower");
+    if (name.empty())
+      failAt("a face should stand here: a number, '?', '*', '(' or one of basal, prism, pyramid, upper, lower");
     for (const FaceClass& one : faceClasses())
       if (one.name == name) {
         at_ += name.size();
@@ -208,12 +209,15 @@ class PatternParser {
       }
     // Of a halo that is not known all of the words are the name.
     std::size_t end = at_;
-    while (end < text_.size() && !isSeparator(text_[end]) && std::string_view("|()-").find(text_[end]) == std::string_view::npos) ++end;
+    while (end < text_.size() && !isSeparator(text_[end]) &&
+           std::string_view("|()-").find(text_[end]) == std::string_view::npos)
+      ++end;
     while (end > at_ && isSpace(text_[end - 1])) --end;
     std::vector<std::string_view> accepted = haloNames();
     for (const FaceClass& one : faceClasses()) accepted.push_back(one.name);
     const std::string_view unknown = text_.substr(at_, end - at_);
-    failWith(unknown, "'" + std::string(unknown) + "' is neither a kind of face nor the name of a halo", std::move(accepted));
+    failWith(unknown, "'" + std::string(unknown) + "' is neither a kind of face nor the name of a halo",
+             std::move(accepted));
   }
 
   int number(int most, const char* what) {
@@ -269,8 +273,8 @@ class PatternParser {
     pattern_.fewestHits = pattern_.mostHits = number(kMostPatternHits, "the number of hits");
     if (!takeRange()) return;
     skipSpaces();
-    pattern_.mostHits = !atEnd() && isDigit(peek()) ? number(kMostPatternHits, "the number of hits")
-                                                    : std::numeric_limits<int>::max();
+    pattern_.mostHits =
+        !atEnd() && isDigit(peek()) ? number(kMostPatternHits, "the number of hits") : std::numeric_limits<int>::max();
     if (pattern_.mostHits < pattern_.fewestHits)
       throw PatternError(begin, at_ - begin, "the range of hits ends before it begins");
   }
@@ -311,7 +315,8 @@ class PatternParser {
     const auto found = memberNamed<PathSymmetry>(name);
     if (!found) {
       if (name.empty()) failAt("crystal, orientation or none should stand here");
-      failWith(name, "'" + std::string(name) + "' is none of crystal, orientation, none", acceptedNames<PathSymmetry>());
+      failWith(name, "'" + std::string(name) + "' is none of crystal, orientation, none",
+               acceptedNames<PathSymmetry>());
     }
     pattern_.symmetry = *found;
     at_ += name.size();
