@@ -8,6 +8,7 @@
 
 #include "picture/temporary_directory.h"
 #include "recon/reconstruct.h"
+#include "render/needs.h"
 #include "render/scenes.h"
 #include "render/traced_sky.h"
 #include "sky/tally_exr.h"
@@ -160,4 +161,15 @@ TEST_CASE("the picture of a mixed cloud has no other light than that without sym
     }
     CHECK(std::abs(apart) < 4.5 * std::sqrt(squares) * 1.5);  // the other's rings scatter together
   }
+}
+
+TEST_CASE("the memory of a run counts all tallies that it has") {
+  for (const LoadedScene& plain : allScenes())
+    for (const LoadedScene& loaded : {plain, withLayers(plain)}) {
+      const SkySize before = skySizeOf(loaded.scene), after = skySizeOf(emptyTally(loaded, cloudOf(loaded.scene)));
+      CHECK(before.pixels == after.pixels);
+      CHECK(before.colours == after.colours);
+      CHECK(before.tallies == after.tallies);
+      CHECK(before.layers == after.layers);
+    }
 }
