@@ -16,10 +16,16 @@
 #include "cli/text_output.h"
 #include "cli/trace_watch.h"
 #include "math/rotation.h"
+#include "picture/auto_exposure.h"
+#include "picture/memory_limit.h"
+#include "render/needs.h"
+#include "render/path_map.h"
+#include "render/sky_files.h"
 #include "render/traced_sky.h"
 #include "scene/suggest.h"
 #include "sky/sky_tally.h"
 #include "trace/path_ledger.h"
+#include "view/path_picture.h"
 
 namespace parhelion::cli {
 
@@ -33,7 +39,7 @@ struct PathsOptions {
   std::string at, rayFor, layer, symmetry = std::string(nameOf(PathSymmetry::orientation));
   double radius = kUsualRadius;  // degrees
   int top = 0;                   // 0: all in files, kUsualTop on the terminal
-  std::string csv, json;
+  std::string csv, json, map;
 
   static constexpr int kUsualTop = 20;
 };
@@ -139,6 +145,32 @@ PathLedgerScope scopeOf(const PathsOptions& options, const PathSettings& paths) 
   return scope;
 }
 
+/// The sky painted by the strongest families of paths.
+void writeMap(const PathsOptions& options, const LoadedScene& loaded, const Cloud& cloud, Transaction& outputs) {
+  // Which paths there are in the picture.
+  constexpr std::uint64_t kPilotRays = 500'000;
+  TraceSettings pilot = loaded.scene.trace;
+  pilot.rays = kPilotRays;
+  PathLedgerScope scope = scopeOf(options, pilot.paths);
+  scope.view = loaded.scene.camera;
+  PathLedger ledger(cloud, scope);
+  traceRays(cloud, pilot, 0, ledger, traceControl(options.run, nullptr));
+
+  LoadedScene layered = loaded;
+  std::vector<LayerSettings>& layers = layered.scene.trace.paths.layers;
+  layers = strongestPaths(ledger.entries(kReferenceWavelength), cloud, options.top > 0 ? std::min<std::size_t>(options.top, kMostHues) : kMostHues);
+  requireMemory("the map of paths",
+                memoryToReconstruct(skySizeOf(layered.scene), layered.scene.recon, options.run.threads));
+  TraceWatch watch(options.run, layered.scene.trace.rays);
+  const TracedSky traced = traceSky(layered, cloud, watch.control());
+  watch.report(traced.report, traced.settings);
+  const ReconstructedSky sky = developSky(traced, layered, options.run.threads);
+  std::vector<std::string> names;
+  for (const LayerSettings& layer : layers) names.push_back(layer.name);
+  const double stops = autoExposure(sky.image);
+  writePreview(outputs.at(options.map), paintByLayer(sky.image, names, stops), stops, loaded.text);
+}
+
 int runPaths(const PathsOptions& options) {
   const LoadedScene loaded = options.run.load();
   const Cloud cloud = cloudOf(loaded.scene);
@@ -146,7 +178,7 @@ int runPaths(const PathsOptions& options) {
   settings.symmetry = Symmetry::none;
   const PathLedgerScope scope = scopeOf(options, settings.paths);
   Transaction outputs =
-      claimOutputs({{options.run.scene}, {options.csv, options.json, options.run.stats}}, options.run.overwrite);
+      claimOutputs({{options.run.scene}, {options.csv, options.json, options.map, options.run.stats}}, options.run.overwrite);
   PathLedger ledger(cloud, scope);
   TraceWatch watch(options.run, settings.rays);
   const TraceReport report = traceRays(cloud, settings, 0, ledger, watch.control());
@@ -157,8 +189,9 @@ int runPaths(const PathsOptions& options) {
     answer("%llu", static_cast<unsigned long long>(*ray));
   } else {
     std::vector<PathLedger::Entry> entries = ledger.entries(kReferenceWavelength);
-    if (options.csv.empty() && options.json.empty())
+    if (options.csv.empty() && options.json.empty() && options.map.empty())
       printTable(entries, cloud, options.top > 0 ? options.top : PathsOptions::kUsualTop);
+    if (!options.map.empty()) writeMap(options, loaded, cloud, outputs);
     if (options.top > 0 && entries.size() > static_cast<std::size_t>(options.top))
       entries.resize(static_cast<std::size_t>(options.top));
     if (!options.csv.empty()) writeText(outputs.at(options.csv), csvOf(entries, cloud));
@@ -196,6 +229,11 @@ void addPaths(CLI::App& app, int& exit) {
       ->transform(wholeNumber(1, 1'000'000));
   command->add_option("--csv", options->csv, "The table as CSV; - for stdout")->type_name("FILE");
   command->add_option("--json", options->json, "The same as JSON; - for stdout")->type_name("FILE");
+  command
+      ->add_option("--map", options->map,
+                   "Paint the sky by the paths that make most of the light at each place, with a legend; takes a run more")
+      ->type_name("FILE")
+      ->check(fileOfKind({".png"}, ".png"));
   command
       ->add_option("--ray-for", options->rayFor,
                    "Print the index of a ray that lit this place of the sky, degrees, for replay --ray")

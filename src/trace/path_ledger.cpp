@@ -90,6 +90,7 @@ class HaloNames {
 
 PathLedger::PathLedger(const Cloud& cloud, const PathLedgerScope& scope)
     : cloud_(cloud), scope_(scope), known_(cloud.populations().size()) {
+  if (scope.view) camera_.emplace(*scope.view);
   for (const Population& population : cloud.populations())
     populations_.push_back(
         {PathClasses(population.mesh(), pathSymmetries(population.mesh(), population.orientation(), scope.symmetry)),
@@ -121,6 +122,7 @@ int PathLedger::classOf(int population, const PathCode::Words& words, int count)
 bool PathLedger::isInScope(const TracedRays& traced, int exit, const Vec3& toSky) const {
   if (traced.exits.undeviated[exit] != 0.0) return false;
   if (scope_.layer && traced.exits.layer[static_cast<std::size_t>(exit)] != *scope_.layer) return false;
+  if (camera_ && !camera_->project(toSky)) return false;
   return !scope_.region || glm::dot(toSky, scope_.region->toCentre) >= std::cos(scope_.region->radius);
 }
 

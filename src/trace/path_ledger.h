@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "crystal/raypath/path_class.h"
+#include "sky/camera.h"
 #include "sky/fixed_point.h"
 #include "trace/film.h"
 #include "trace/path_plan.h"
@@ -28,6 +29,7 @@ struct PathLedgerScope {
   PathSymmetry symmetry = PathSymmetry::orientation;
   std::optional<SkyRegion> region;  // none: the whole sky
   std::optional<int> layer;         // PathPlan::layerOf(); none: all
+  std::optional<CameraSettings> view;  // only what this camera sees; none: all
 };
 
 /// How much of the light that leaves the crystals deviated came by which class of raypaths.
@@ -98,6 +100,7 @@ class PathLedger : public Film {
 
   const Cloud& cloud_;
   PathLedgerScope scope_;
+  std::optional<Camera> camera_;
   std::vector<OfPopulation> populations_;
   std::vector<std::unordered_map<Known, int, HashOfKnown>> known_;  // by population
   LightTotal intercepted_, all_;
