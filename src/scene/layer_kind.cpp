@@ -128,14 +128,17 @@ bool isNamed(const std::vector<std::string>& names, const std::string& name) {
 /// Complains about the name of a halo that none of the populations can make.
 void checkStances(const PathPattern& pattern, const std::vector<std::string>& populations, const Scene& scene,
                   const Place& place, Complaints& complaints) {
-  if (pattern.stances.empty()) return;
+  std::vector<Stance> stances = pattern.stances;
+  if (stances.empty()) return;
+  for (const PathPattern& other : pattern.others)
+    stances.insert(stances.end(), other.stances.begin(), other.stances.end());
   for (const PopulationSettings& settings : scene.populations) {
     if (!isNamed(populations, settings.name) || !isNamed(pattern.populations, settings.name)) continue;
     const auto stance = stanceOf(Population(settings));
-    if (stance && std::ranges::find(pattern.stances, *stance) != pattern.stances.end()) return;
+    if (stance && std::ranges::find(stances, *stance) != stances.end()) return;
   }
   std::string needed;
-  for (const Stance stance : pattern.stances)
+  for (const Stance stance : stances)
     needed += (needed.empty() ? "\"" : " or \"") + std::string(nameOf(stance)) + '"';
   complaints.add(place, "no population here makes the halo of '" + pattern.text + "'",
                  "it comes of crystals whose orientation is " + needed);

@@ -2,6 +2,7 @@
 // The light that the name of a halo stands for is where that halo is.
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -63,10 +64,11 @@ OrientationSettings orientationOf(Stance stance) {
 constexpr double kSun = 20.0;
 
 std::vector<Kept> lightOf(std::string_view name, double sunElevation = kSun, double aspect = 0.5,
-                          std::uint64_t rays = 300'000) {
-  const HaloPath* halo = haloNamed(name);
-  REQUIRE(halo != nullptr);
-  PopulationSettings population = prisms(aspect, orientationOf(halo->stances.front()));
+                          std::uint64_t rays = 300'000, std::optional<Stance> stance = {}) {
+  const auto named = halosNamed(name);
+  REQUIRE_FALSE(named.empty());
+  const HaloPath* halo = named.front();
+  PopulationSettings population = prisms(aspect, orientationOf(stance.value_or(halo->stances.front())));
   if (halo->pattern.find('1') != std::string_view::npos && halo->pattern.find("13-") != std::string_view::npos)
     population.shape = PyramidSettings{aspect, 0.7, 0.7};
   for (const char* pyramidal : {"16", "15", "23"})
@@ -138,7 +140,8 @@ TEST_CASE("each name of a halo keeps light where that halo is") {
   checkAllAt(lightOf("circumzenithal arc"), &Kept::elevation, degrees(theory::circumzenithal(kIndex, radians(kSun))));
   checkAllAt(lightOf("circumhorizontal arc", 60.0), &Kept::elevation,
              degrees(theory::circumhorizontal(kIndex, radians(60.0))));
-  checkAllAt(lightOf("parhelic circle"), &Kept::elevation, kSun);
+  for (const Stance stance : {Stance::plate, Stance::column, Stance::parry})
+    checkAllAt(lightOf("parhelic circle", kSun, 1.0, 300'000, stance), &Kept::elevation, kSun);
   const auto at120 = lightOf("120° parhelion");
   checkAllAt(at120, &Kept::elevation, kSun);
   checkAllAt(at120, &Kept::azimuth, 120.0);

@@ -9,7 +9,8 @@
 
 namespace parhelion {
 
-/// A halo that has a name: which raypaths make it in crystals of which stance.
+/// A halo that has a name: which raypaths make it in crystals of which stance. Where other paths make it in crystals of
+/// another stance, there is one more of the same name.
 struct HaloPath {
   std::string_view name;        // as observers call it, UTF-8
   std::string_view pattern;     // path_pattern.h
@@ -22,10 +23,10 @@ struct HaloPath {
 /// both.
 std::span<const HaloPath> haloPaths();
 
-/// The halo of this name, whatever its capitals; its plural and "deg" for the degree sign will do. Null if there is
-/// none.
-const HaloPath* haloNamed(std::string_view name);
+/// All of this name, whatever its capitals; its plural and "deg" for the degree sign will do. Empty if there is none.
+std::vector<const HaloPath*> halosNamed(std::string_view name);
 
+/// Each name once.
 std::vector<std::string_view> haloNames();
 
 }  // namespace parhelion

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <iterator>
 #include <utility>
 
 #include "crystal/raypath/halo_paths.h"
@@ -67,6 +68,15 @@ class PatternParser {
       skipSpaces();
       if (!atEnd() && !isSeparator(peek()) && !startsClause()) failAt("',' or the end should stand here");
     }
+    // What clauses say holds for a halo in crystals of any stance.
+    for (PathPattern& other : pattern_.others) {
+      other.fewestHits = std::max(other.fewestHits, pattern_.fewestHits);
+      other.mostHits = std::min(other.mostHits, pattern_.mostHits);
+      if (!pattern_.entry.any) other.entry = pattern_.entry;
+      if (!pattern_.exit.any) other.exit = pattern_.exit;
+      other.populations = pattern_.populations;
+      if (saysSymmetry_) other.symmetry = pattern_.symmetry;
+    }
     return std::move(pattern_);
   }
 
@@ -118,17 +128,16 @@ class PatternParser {
     std::size_t end = at_;
     while (end < text_.size() && !isSeparator(text_[end])) ++end;
     while (end > at_ && isSpace(text_[end - 1])) --end;
-    const HaloPath* halo = haloNamed(text_.substr(at_, end - at_));
-    if (!halo) return false;
-    const PathPattern known = parsePathPattern(halo->pattern);
-    pattern_.places = known.places;
-    pattern_.first = known.first;
-    pattern_.fewestHits = known.fewestHits;
-    pattern_.mostHits = known.mostHits;
-    pattern_.entry = known.entry;
-    pattern_.exit = known.exit;
-    pattern_.symmetry = known.symmetry;
-    pattern_.stances = halo->stances;
+    std::vector<PathPattern> known;
+    for (const HaloPath* halo : halosNamed(text_.substr(at_, end - at_))) {
+      known.push_back(parsePathPattern(halo->pattern));
+      known.back().stances = halo->stances;
+    }
+    if (known.empty()) return false;
+    std::string text = std::move(pattern_.text);
+    pattern_ = std::move(known.front());
+    pattern_.text = std::move(text);
+    pattern_.others.assign(std::make_move_iterator(known.begin() + 1), std::make_move_iterator(known.end()));
     at_ = end;
     return true;
   }
@@ -319,11 +328,13 @@ class PatternParser {
                acceptedNames<PathSymmetry>());
     }
     pattern_.symmetry = *found;
+    saysSymmetry_ = true;
     at_ += name.size();
   }
 
   std::string_view text_;
   std::size_t at_ = 0;
+  bool saysSymmetry_ = false;
   PathPattern pattern_;
 };
 
