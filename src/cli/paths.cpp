@@ -158,7 +158,8 @@ void writeMap(const PathsOptions& options, const LoadedScene& loaded, const Clou
 
   LoadedScene layered = loaded;
   std::vector<LayerSettings>& layers = layered.scene.trace.paths.layers;
-  layers = strongestPaths(ledger.entries(kReferenceWavelength), cloud, options.top > 0 ? std::min<std::size_t>(options.top, kMostHues) : kMostHues);
+  layers = strongestPaths(ledger.entries(kReferenceWavelength), cloud,
+                          options.top > 0 ? std::min<std::size_t>(options.top, kMostHues) : kMostHues);
   requireMemory("the map of paths",
                 memoryToReconstruct(skySizeOf(layered.scene), layered.scene.recon, options.run.threads));
   TraceWatch watch(options.run, layered.scene.trace.rays);
@@ -177,8 +178,8 @@ int runPaths(const PathsOptions& options) {
   TraceSettings settings = chosenSettings(cloud, loaded.scene.trace);
   settings.symmetry = Symmetry::none;
   const PathLedgerScope scope = scopeOf(options, settings.paths);
-  Transaction outputs =
-      claimOutputs({{options.run.scene}, {options.csv, options.json, options.map, options.run.stats}}, options.run.overwrite);
+  Transaction outputs = claimOutputs({{options.run.scene}, {options.csv, options.json, options.map, options.run.stats}},
+                                     options.run.overwrite);
   PathLedger ledger(cloud, scope);
   TraceWatch watch(options.run, settings.rays);
   const TraceReport report = traceRays(cloud, settings, 0, ledger, watch.control());
@@ -230,8 +231,9 @@ void addPaths(CLI::App& app, int& exit) {
   command->add_option("--csv", options->csv, "The table as CSV; - for stdout")->type_name("FILE");
   command->add_option("--json", options->json, "The same as JSON; - for stdout")->type_name("FILE");
   command
-      ->add_option("--map", options->map,
-                   "Paint the sky by the paths that make most of the light at each place, with a legend; takes a run more")
+      ->add_option(
+          "--map", options->map,
+          "Paint the sky by the paths that make most of the light at each place, with a legend; takes a run more")
       ->type_name("FILE")
       ->check(fileOfKind({".png"}, ".png"));
   command

@@ -27,8 +27,8 @@ struct SkyRegion {
 /// Which light a ledger looks at.
 struct PathLedgerScope {
   PathSymmetry symmetry = PathSymmetry::orientation;
-  std::optional<SkyRegion> region;  // none: the whole sky
-  std::optional<int> layer;         // PathPlan::layerOf(); none: all
+  std::optional<SkyRegion> region;     // none: the whole sky
+  std::optional<int> layer;            // PathPlan::layerOf(); none: all
   std::optional<CameraSettings> view;  // only what this camera sees; none: all
 };
 

@@ -50,8 +50,9 @@ Preview legend(std::span<const std::string> layers, int height) {
   for (std::size_t i = 0; i < layers.size(); ++i) line(layers[i], kHues[i]);
   line("all else", kOther);
   const LineArt art = canvas.lineArt();
-  Preview picture{art.width, art.height,
-                  std::vector<std::uint8_t>(3 * static_cast<std::size_t>(art.width) * static_cast<std::size_t>(art.height), 0), 0};
+  Preview picture{
+      art.width, art.height,
+      std::vector<std::uint8_t>(3 * static_cast<std::size_t>(art.width) * static_cast<std::size_t>(art.height), 0), 0};
   layOver(picture, art);
   return picture;
 }
