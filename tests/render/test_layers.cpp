@@ -173,3 +173,15 @@ TEST_CASE("the memory of a run counts all tallies that it has") {
       CHECK(before.layers == after.layers);
     }
 }
+
+TEST_CASE("64 layers of populations with all symmetries fit into a file") {
+  const TemporaryDirectory directory;
+  std::string text = smallScene().text;
+  text += "[[population]]\nname = 'turned'\norientation = { zenith = 60, azimuth = 40, roll = 10 }\n";
+  for (int i = 0; i < 64; ++i)
+    text += "[[layer]]\nname = 'l" + std::to_string(i) + "'\npaths = 'hits = " + std::to_string(i + 1) + "'\n";
+  const SkyTally tally = tallyOf(parseScene(text, "many.toml"));
+  CHECK(tally.symmetries().size() == 3);
+  writeSkyTallyExr(directory / "many.exr", tally);
+  CHECK(readSkyTallyExr(directory / "many.exr") == tally);
+}
