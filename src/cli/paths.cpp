@@ -12,6 +12,7 @@
 #include "cli/run_options.h"
 #include "cli/say.h"
 #include "cli/stats.h"
+#include "cli/stop_signal.h"
 #include "cli/tables.h"
 #include "cli/text_output.h"
 #include "cli/trace_watch.h"
@@ -182,7 +183,10 @@ int runPaths(const PathsOptions& options) {
                                      options.run.overwrite);
   PathLedger ledger(cloud, scope);
   TraceWatch watch(options.run, settings.rays);
-  const TraceReport report = traceRays(cloud, settings, 0, ledger, watch.control());
+  const StopSignal stop;
+  TraceControl control = watch.control();
+  control.stop = &stop.requested();
+  const TraceReport report = traceRays(cloud, settings, 0, ledger, control);
   const RunFigures figures = watch.report(report, settings);
   if (!options.rayFor.empty()) {
     const auto ray = ledger.brightestRay();
@@ -192,7 +196,7 @@ int runPaths(const PathsOptions& options) {
     std::vector<PathLedger::Entry> entries = ledger.entries(kReferenceWavelength);
     if (options.csv.empty() && options.json.empty() && options.map.empty())
       printTable(entries, cloud, options.top > 0 ? options.top : PathsOptions::kUsualTop);
-    if (!options.map.empty()) writeMap(options, loaded, cloud, outputs);
+    if (!options.map.empty() && !stop.requested()) writeMap(options, loaded, cloud, outputs);
     if (options.top > 0 && entries.size() > static_cast<std::size_t>(options.top))
       entries.resize(static_cast<std::size_t>(options.top));
     if (!options.csv.empty()) writeText(outputs.at(options.csv), csvOf(entries, cloud));
@@ -200,7 +204,7 @@ int runPaths(const PathsOptions& options) {
   }
   if (!options.run.stats.empty()) writeJson(outputs.at(options.run.stats), statsJson(figures));
   outputs.commit();
-  return kDone;
+  return stop.requested() ? kInterrupted : kDone;
 }
 
 }  // namespace
@@ -211,9 +215,12 @@ void addPaths(CLI::App& app, int& exit) {
       "paths",
       "Which raypaths make the light: of the whole sky or of a part of it, most light first, with their names");
   options->run.addTo(*command, false);
-  CLI::Option* at = command->add_option("--at", options->at, "Only light from about this place of the sky, degrees")
-                        ->type_name("AZ,EL")
-                        ->check(CLI::Validator(validDirection, ""));
+  CLI::Option* at =
+      command
+          ->add_option("--at", options->at,
+                       "Only light from about this place of the sky, degrees: azimuth to 360, elevation to 90")
+          ->type_name("AZ,EL")
+          ->check(CLI::Validator(validDirection, ""));
   command->add_option("--radius", options->radius, "How far about it, degrees; 1 when left out")
       ->type_name("R")
       ->transform(number(0.001, 180.0));
@@ -242,7 +249,11 @@ void addPaths(CLI::App& app, int& exit) {
       ->type_name("AZ,EL")
       ->check(CLI::Validator(validDirection, ""))
       ->excludes(at);
-  command->callback([options, &exit] { exit = runPaths(*options); });
+  command->callback([options, command, &exit] {
+    if (command->count("--radius") > 0 && options->at.empty() && options->rayFor.empty())
+      throw CLI::ValidationError("--radius", "is that of --at or --ray-for");
+    exit = runPaths(*options);
+  });
 }
 
 }  // namespace parhelion::cli

@@ -61,8 +61,8 @@ ViewInput readViewInput(const std::string& path, const PhotographRules& rules, c
   requireFit(path, Wanted::view);
   input.path = input.sceneFile = path;
   if (!isExr(path)) {
-    if (!layers.empty()) throw Unfit("--layers: " + path + " is a photograph, and has no layers of light");
     input.photograph = readPhotograph(path, rules);
+    if (!layers.empty()) throw Unfit("--layers: " + path + " is a photograph, and has no layers of light");
     return input;
   }
   ExrFrame frame = readExrFrame(path);

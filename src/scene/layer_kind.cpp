@@ -3,6 +3,8 @@
 #include <set>
 #include <string>
 
+#include "crystal/raypath/path_automaton.h"
+#include "crystal/raypath/path_symmetry.h"
 #include "crystal/raypath/stance.h"
 #include "scene/layer_checks.h"
 #include "scene/scene_keys.h"
@@ -125,9 +127,39 @@ bool isNamed(const std::vector<std::string>& names, const std::string& name) {
   return names.empty() || std::ranges::find(names, name) != names.end();
 }
 
+/// Whether a crystal of this mesh has the faces of some path that a pattern takes.
+bool hasFacesFor(const PathPattern& pattern, const Population& population) {
+  std::vector<int> numbers;
+  for (const Face& face : population.mesh().faces()) numbers.push_back(face.number);
+  const SymmetricPattern own[] = {
+      {&pattern, pathSymmetries(population.mesh(), population.orientation(), pattern.symmetry)}};
+  const PathAutomaton automaton(numbers, own);
+  for (int state = 0; state < automaton.states(); ++state)
+    if (state != PathAutomaton::kStart && automaton.accepted(state).any()) return true;
+  return false;
+}
+
+/// Complains about a pattern whose faces no crystal has.
+void checkFaces(const PathPattern& pattern, const std::vector<std::string>& populations, const Scene& scene,
+                const Place& place, Complaints& complaints) {
+  bool speaksOfSome = false;  // if not, that is complained about elsewhere
+  for (const PopulationSettings& settings : scene.populations) {
+    if (!isNamed(populations, settings.name) || !isNamed(pattern.populations, settings.name)) continue;
+    speaksOfSome = true;
+    const Population population(settings);
+    if (hasFacesFor(pattern, population)) return;
+    for (const PathPattern& other : pattern.others)
+      if (hasFacesFor(other, population)) return;
+  }
+  if (!speaksOfSome) return;
+  complaints.add(place, "no crystal here has the faces of '" + pattern.text + "'",
+                 "prisms have the faces 1 to 8, pyramids also 13 to 18 and 23 to 28");
+}
+
 /// Complains about the name of a halo that none of the populations can make.
 void checkStances(const PathPattern& pattern, const std::vector<std::string>& populations, const Scene& scene,
                   const Place& place, Complaints& complaints) {
+  checkFaces(pattern, populations, scene, place, complaints);
   std::vector<Stance> stances = pattern.stances;
   if (stances.empty()) return;
   for (const PathPattern& other : pattern.others)
@@ -138,8 +170,7 @@ void checkStances(const PathPattern& pattern, const std::vector<std::string>& po
     if (stance && std::ranges::find(stances, *stance) != stances.end()) return;
   }
   std::string needed;
-  for (const Stance stance : stances)
-    needed += (needed.empty() ? "\"" : " or \"") + std::string(nameOf(stance)) + '"';
+  for (const Stance stance : stances) needed += (needed.empty() ? "\"" : " or \"") + std::string(nameOf(stance)) + '"';
   complaints.add(place, "no population here makes the halo of '" + pattern.text + "'",
                  "it comes of crystals whose orientation is " + needed);
 }

@@ -229,6 +229,10 @@ std::vector<PathLedger::Entry> PathLedger::entries(double wavelength) const {
       std::sort(samples.begin(), samples.end());
       std::vector<Vec3> toSky;
       for (const Sample& one : samples) toSky.push_back(one.toSky);
+      // Light in the sun's vertical lies on both sides of it.
+      constexpr std::size_t kKnown = 64;
+      if (cloud_.populations()[p].isMirrorSymmetric() && !scope_.region && toSky.size() >= kKnown)
+        for (const Sample& one : samples) toSky.emplace_back(one.toSky.x, -one.toSky.y, one.toSky.z);
       entries.push_back({own.classes.text(own.classAt[i]), static_cast<int>(p), share,
                          std::sqrt(std::max(0.0, variance)) / all, densestAmong(toSky),
                          own.classes.leastDeviation(own.classAt[i], index), names.of(own.classAt[i])});

@@ -195,6 +195,9 @@ TEST_CASE("a bad pattern is refused at the place where it is bad") {
   CHECK(placeOfError("3-5, population = 'a") == 18);
   CHECK(placeOfError("circumzenithal ark") == 0);
   CHECK(placeOfError("-3") == 0);
+  CHECK(placeOfError("not") == 3);
+  CHECK(placeOfError(" ") == 1);
+  CHECK(placeOfError("") == 0);
   CHECK(placeOfError("3-99999999999999999999") == 2);
   CHECK(placeOfError(std::string(1000, '(')) == static_cast<std::size_t>(kDeepestPattern) + 1);
 }

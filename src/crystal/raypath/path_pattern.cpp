@@ -56,7 +56,9 @@ class PatternParser {
     skipSpaces();
     if (!takeName()) {
       pattern_.isInverted = takeWord("not");
+      skipSpaces();
       const bool hasChain = !atEnd() && !isSeparator(peek()) && !startsClause();
+      if (!hasChain && (atEnd() || isSeparator(peek()))) face();  // which complains
       setChain(hasChain ? chain(0) : anyChain());
     }
     skipSpaces();
