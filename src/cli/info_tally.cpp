@@ -24,7 +24,8 @@ void printSky(const std::string& path) {
   answer("%s: tally of a sky, %d x %d%s", path.c_str(), tally.width(), tally.height(),
          tally.colours() == 1 ? ", luminance only" : "");
   std::string symmetries;
-  for (const TallySymmetry one : tally.symmetries()) symmetries.append(symmetries.empty() ? "" : ", ").append(nameOf(one));
+  for (const TallySymmetry one : tally.symmetries())
+    symmetries.append(symmetries.empty() ? "" : ", ").append(nameOf(one));
   answer("symmetry: %s", symmetries.c_str());
   if (!tally.layers().empty()) {
     std::string layers;

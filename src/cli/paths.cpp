@@ -12,14 +12,21 @@
 #include "cli/run_options.h"
 #include "cli/say.h"
 #include "cli/stats.h"
+#include "cli/stop_signal.h"
 #include "cli/tables.h"
 #include "cli/text_output.h"
 #include "cli/trace_watch.h"
 #include "math/rotation.h"
+#include "picture/auto_exposure.h"
+#include "picture/memory_limit.h"
+#include "render/needs.h"
+#include "render/path_map.h"
+#include "render/sky_files.h"
 #include "render/traced_sky.h"
 #include "scene/suggest.h"
 #include "sky/sky_tally.h"
 #include "trace/path_ledger.h"
+#include "view/path_picture.h"
 
 namespace parhelion::cli {
 
@@ -33,7 +40,7 @@ struct PathsOptions {
   std::string at, rayFor, layer, symmetry = std::string(nameOf(PathSymmetry::orientation));
   double radius = kUsualRadius;  // degrees
   int top = 0;                   // 0: all in files, kUsualTop on the terminal
-  std::string csv, json;
+  std::string csv, json, map;
 
   static constexpr int kUsualTop = 20;
 };
@@ -139,17 +146,47 @@ PathLedgerScope scopeOf(const PathsOptions& options, const PathSettings& paths) 
   return scope;
 }
 
+/// The sky painted by the strongest families of paths.
+void writeMap(const PathsOptions& options, const LoadedScene& loaded, const Cloud& cloud, Transaction& outputs) {
+  // Which paths there are in the picture.
+  constexpr std::uint64_t kPilotRays = 500'000;
+  TraceSettings pilot = loaded.scene.trace;
+  pilot.rays = kPilotRays;
+  PathLedgerScope scope = scopeOf(options, pilot.paths);
+  scope.view = loaded.scene.camera;
+  PathLedger ledger(cloud, scope);
+  traceRays(cloud, pilot, 0, ledger, traceControl(options.run, nullptr));
+
+  LoadedScene layered = loaded;
+  std::vector<LayerSettings>& layers = layered.scene.trace.paths.layers;
+  layers = strongestPaths(ledger.entries(kReferenceWavelength), cloud,
+                          options.top > 0 ? std::min<std::size_t>(options.top, kMostHues) : kMostHues);
+  requireMemory("the map of paths",
+                memoryToReconstruct(skySizeOf(layered.scene), layered.scene.recon, options.run.threads));
+  TraceWatch watch(options.run, layered.scene.trace.rays);
+  const TracedSky traced = traceSky(layered, cloud, watch.control());
+  watch.report(traced.report, traced.settings);
+  const ReconstructedSky sky = developSky(traced, layered, options.run.threads);
+  std::vector<std::string> names;
+  for (const LayerSettings& layer : layers) names.push_back(layer.name);
+  const double stops = autoExposure(sky.image);
+  writePreview(outputs.at(options.map), paintByLayer(sky.image, names, stops), stops, loaded.text);
+}
+
 int runPaths(const PathsOptions& options) {
   const LoadedScene loaded = options.run.load();
   const Cloud cloud = cloudOf(loaded.scene);
   TraceSettings settings = chosenSettings(cloud, loaded.scene.trace);
   settings.symmetry = Symmetry::none;
   const PathLedgerScope scope = scopeOf(options, settings.paths);
-  Transaction outputs =
-      claimOutputs({{options.run.scene}, {options.csv, options.json, options.run.stats}}, options.run.overwrite);
+  Transaction outputs = claimOutputs({{options.run.scene}, {options.csv, options.json, options.map, options.run.stats}},
+                                     options.run.overwrite);
   PathLedger ledger(cloud, scope);
   TraceWatch watch(options.run, settings.rays);
-  const TraceReport report = traceRays(cloud, settings, 0, ledger, watch.control());
+  const StopSignal stop;
+  TraceControl control = watch.control();
+  control.stop = &stop.requested();
+  const TraceReport report = traceRays(cloud, settings, 0, ledger, control);
   const RunFigures figures = watch.report(report, settings);
   if (!options.rayFor.empty()) {
     const auto ray = ledger.brightestRay();
@@ -157,8 +194,9 @@ int runPaths(const PathsOptions& options) {
     answer("%llu", static_cast<unsigned long long>(*ray));
   } else {
     std::vector<PathLedger::Entry> entries = ledger.entries(kReferenceWavelength);
-    if (options.csv.empty() && options.json.empty())
+    if (options.csv.empty() && options.json.empty() && options.map.empty())
       printTable(entries, cloud, options.top > 0 ? options.top : PathsOptions::kUsualTop);
+    if (!options.map.empty() && !stop.requested()) writeMap(options, loaded, cloud, outputs);
     if (options.top > 0 && entries.size() > static_cast<std::size_t>(options.top))
       entries.resize(static_cast<std::size_t>(options.top));
     if (!options.csv.empty()) writeText(outputs.at(options.csv), csvOf(entries, cloud));
@@ -166,7 +204,7 @@ int runPaths(const PathsOptions& options) {
   }
   if (!options.run.stats.empty()) writeJson(outputs.at(options.run.stats), statsJson(figures));
   outputs.commit();
-  return kDone;
+  return stop.requested() ? kInterrupted : kDone;
 }
 
 }  // namespace
@@ -174,18 +212,24 @@ int runPaths(const PathsOptions& options) {
 void addPaths(CLI::App& app, int& exit) {
   auto options = std::make_shared<PathsOptions>();
   CLI::App* command = app.add_subcommand(
-      "paths", "Which raypaths make the light: of the whole sky or of a part of it, most light first, with their names");
+      "paths",
+      "Which raypaths make the light: of the whole sky or of a part of it, most light first, with their names");
   options->run.addTo(*command, false);
-  CLI::Option* at = command->add_option("--at", options->at, "Only light from about this place of the sky, degrees")
-                        ->type_name("AZ,EL")
-                        ->check(CLI::Validator(validDirection, ""));
+  CLI::Option* at =
+      command
+          ->add_option("--at", options->at,
+                       "Only light from about this place of the sky, degrees: azimuth to 360, elevation to 90")
+          ->type_name("AZ,EL")
+          ->check(CLI::Validator(validDirection, ""));
   command->add_option("--radius", options->radius, "How far about it, degrees; 1 when left out")
       ->type_name("R")
       ->transform(number(0.001, 180.0));
   command->add_option("--layer", options->layer, "Only light of this layer of the scene, or of the rest")
       ->type_name("NAME");
-  command->add_option("--symmetry", options->symmetry, "Which paths count as one: up to the crystal's symmetry, up to "
-                                                       "that which leaves its orientations alone, or none")
+  command
+      ->add_option("--symmetry", options->symmetry,
+                   "Which paths count as one: up to the crystal's symmetry, up to "
+                   "that which leaves its orientations alone, or none")
       ->type_name("crystal|orientation|none")
       ->check(nameOfOne<PathSymmetry>());
   command->add_option("--top", options->top, "Only so many paths; 20 on the terminal and all in files when left out")
@@ -194,12 +238,22 @@ void addPaths(CLI::App& app, int& exit) {
   command->add_option("--csv", options->csv, "The table as CSV; - for stdout")->type_name("FILE");
   command->add_option("--json", options->json, "The same as JSON; - for stdout")->type_name("FILE");
   command
+      ->add_option(
+          "--map", options->map,
+          "Paint the sky by the paths that make most of the light at each place, with a legend; takes a run more")
+      ->type_name("FILE")
+      ->check(fileOfKind({".png"}, ".png"));
+  command
       ->add_option("--ray-for", options->rayFor,
                    "Print the index of a ray that lit this place of the sky, degrees, for replay --ray")
       ->type_name("AZ,EL")
       ->check(CLI::Validator(validDirection, ""))
       ->excludes(at);
-  command->callback([options, &exit] { exit = runPaths(*options); });
+  command->callback([options, command, &exit] {
+    if (command->count("--radius") > 0 && options->at.empty() && options->rayFor.empty())
+      throw CLI::ValidationError("--radius", "is that of --at or --ray-for");
+    exit = runPaths(*options);
+  });
 }
 
 }  // namespace parhelion::cli

@@ -136,14 +136,16 @@ CrystalDrawing drawingOf(const LightPath& path, const std::string& population) {
     const Vec3 from = before ? world(before->point) : here - radius * ray.lightDirWorld;
     drawing.light.push_back({from, here, energy, before == nullptr});
     if (hit.energyLeaving >= kLeast * ray.weight)
-      drawing.light.push_back({here, here + 0.8 * radius * world(hit.leavingDir), hit.energyLeaving / ray.weight, true});
+      drawing.light.push_back(
+          {here, here + 0.8 * radius * world(hit.leavingDir), hit.energyLeaving / ray.weight, true});
     before = &hit;
   }
   const auto brightest = std::ranges::max_element(path.exits, {}, &Exit::energy);
   const int order = brightest == path.exits.end() ? 0 : brightest->order;
   char light[60];
   std::snprintf(light, sizeof light, ", %.0f nm, n = %.4f: ", ray.light.wavelength, ray.iceIndex);
-  drawing.caption = "ray " + std::to_string(ray.index) + " of " + population + light + "most light by " + raypath(path, order);
+  drawing.caption =
+      "ray " + std::to_string(ray.index) + " of " + population + light + "most light by " + raypath(path, order);
   return drawing;
 }
 

@@ -56,14 +56,13 @@ std::optional<std::string> ViewInput::scene() const {
   return found == photograph.text.end() ? std::nullopt : std::optional(found->second);
 }
 
-ViewInput readViewInput(const std::string& path, const PhotographRules& rules,
-                        const std::vector<std::string>& layers) {
+ViewInput readViewInput(const std::string& path, const PhotographRules& rules, const std::vector<std::string>& layers) {
   ViewInput input;
   requireFit(path, Wanted::view);
   input.path = input.sceneFile = path;
   if (!isExr(path)) {
-    if (!layers.empty()) throw Unfit("--layers: " + path + " is a photograph, and has no layers of light");
     input.photograph = readPhotograph(path, rules);
+    if (!layers.empty()) throw Unfit("--layers: " + path + " is a photograph, and has no layers of light");
     return input;
   }
   ExrFrame frame = readExrFrame(path);

@@ -69,7 +69,8 @@ void addFilters(CLI::App& command, ViewOptions& o) {
   command.add_option("--minus", o.minus, "Take the linear light of a second picture off: mid-grey is no difference")
       ->type_name("OTHER");
   command
-      .add_option("--layers", o.layers, "Only these layers of a picture or tally that has some, with commas between them")
+      .add_option("--layers", o.layers,
+                  "Only these layers of a picture or tally that has some, with commas between them")
       ->type_name("A,B")
       ->delimiter(',')
       ->allow_extra_args(false);

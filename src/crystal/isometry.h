@@ -26,8 +26,8 @@ struct Isometry {
 /// The group of the hexagonal prism, D6h: 24 elements, the identity first.
 std::array<Isometry, 24> hexagonalGroup();
 
-/// What an isometry does to a crystal's faces: face i goes to the place of face images[i], both by their index in the mesh. None
-/// if the crystal does not look the same afterwards.
+/// What an isometry does to a crystal's faces: face i goes to the place of face images[i], both by their index in the
+/// mesh. None if the crystal does not look the same afterwards.
 std::optional<std::vector<int>> faceImages(const CrystalMesh& mesh, const Isometry& isometry);
 
 }  // namespace parhelion

@@ -62,12 +62,12 @@ bool keeps(const AxisOrientation& axis, const Isometry& isometry) {
   const bool azimuthTurns = isometry.isProper(), rollTurns = !isometry.flipsY;
   for (const bool otherSide : {false, true}) {
     const double half = otherSide ? kPi : 0.0, azimuthShift = (isometry.flipsZ ? kPi : 0.0) + half;
-    const bool zenith = isometry.flipsZ ? !otherSide && isEvenAboutHorizon(axis.zenith)
-                                        : !otherSide || isEven(axis.zenith, 0.0, kTurn);
-    const bool azimuth = azimuthTurns ? isUnchangedBy(axis.azimuth, azimuthShift)
-                                      : isEven(axis.azimuth, -0.5 * azimuthShift, kTurn);
-    const bool roll = rollTurns ? isUnchangedBy(axis.roll, turn + half)
-                                : isEven(axis.roll, -0.5 * (turn + half), kTurn);
+    const bool zenith =
+        isometry.flipsZ ? !otherSide && isEvenAboutHorizon(axis.zenith) : !otherSide || isEven(axis.zenith, 0.0, kTurn);
+    const bool azimuth =
+        azimuthTurns ? isUnchangedBy(axis.azimuth, azimuthShift) : isEven(axis.azimuth, -0.5 * azimuthShift, kTurn);
+    const bool roll =
+        rollTurns ? isUnchangedBy(axis.roll, turn + half) : isEven(axis.roll, -0.5 * (turn + half), kTurn);
     if (zenith && azimuth && roll) return true;
   }
   return false;
@@ -84,8 +84,7 @@ bool keeps(const LowitzOrientation& lowitz, const Isometry& isometry) {
   const bool flipsX = image.x < 0.0, flipsY = image.y < 0.0, flipsZ = image.z < 0.0;
   const double shift = flipsZ ? kPi : 0.0;
   const bool tilt = !flipsY || isEvenAboutHorizon(lowitz.axisZenith);
-  const bool spin =
-      flipsX == flipsZ ? isUnchangedBy(lowitz.spin, shift) : isEven(lowitz.spin, -0.5 * shift, kTurn);
+  const bool spin = flipsX == flipsZ ? isUnchangedBy(lowitz.spin, shift) : isEven(lowitz.spin, -0.5 * shift, kTurn);
   return tilt && spin;
 }
 

@@ -19,10 +19,10 @@ bool isMirrorSymmetric(const PopulationSettings& population);
 /// that point, and the light of the whole round disc only on the angle from its centre.
 bool isFullyRandom(const PopulationSettings& population);
 
-/// Whether a distribution of orientations is unchanged when every crystal is replaced by its image under `isometry`, for
-/// an improper one also reflected in the vertical plane through the sun, so that faces stay where faces were. Light that
-/// met some faces then has an equally likely counterpart that met their images, at the same place of the sky or at its
-/// mirror image.
+/// Whether a distribution of orientations is unchanged when every crystal is replaced by its image under `isometry`,
+/// for an improper one also reflected in the vertical plane through the sun, so that faces stay where faces were. Light
+/// that met some faces then has an equally likely counterpart that met their images, at the same place of the sky or at
+/// its mirror image.
 ///
 /// The answer true is certain. The answer false may be wrong for a few settings that no display asks for.
 bool keepsOrientations(const OrientationSettings& orientation, const Isometry& isometry);

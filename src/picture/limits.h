@@ -38,10 +38,9 @@ inline constexpr std::uint32_t kMostPngChunks = 16;
 inline constexpr std::uint64_t kMostDeflated = 1032;  // deflate packs no tighter: 258 bytes by two codes of one bit
 
 // EXR.
-// A part costs some kilobytes in memory, and its table of scan lines must be in the file. A tally has up to twelve
-// parts, one for each number of a pixel and of a ring; there is room for those of 64 layers beside it, and a third
-// more.
-inline constexpr int kMostExrParts = 1024;
+// A part costs some kilobytes in memory, and its table of scan lines must be in the file. A tally has one for each number
+// of a pixel and of a ring: 24 where its populations have all three symmetries, and as many for each of 65 layers.
+inline constexpr int kMostExrParts = 2048;
 inline constexpr int kMostExrChannels = 4096;
 inline constexpr std::uint64_t kMostExrDeflated = 1100;  // deflate, the tightest of the lossless codecs, with a reserve
 inline constexpr std::uint64_t kDwaBlock = 64;  // samples, of which DWA deflates what is left, which is two or more

@@ -2,9 +2,12 @@
 #include "render/needs.h"
 
 #include <algorithm>
+#include <set>
 #include <thread>
+#include <utility>
 #include <variant>
 
+#include "crystal/symmetry.h"
 #include "math/overloaded.h"
 
 namespace parhelion {
@@ -22,6 +25,9 @@ std::uint64_t memoryOfWorkers(int threads) { return 1'500'000 * workers(threads)
 std::uint64_t mapBins(int binsPerHalfTurn) {
   return 2 * static_cast<std::uint64_t>(binsPerHalfTurn) * static_cast<std::uint64_t>(binsPerHalfTurn + 1);
 }
+
+/// A pixel, of one tally.
+std::uint64_t bytesOfTally(const SkySize& size) { return size.colours ? 66 : 34; }
 
 /// Of a picture in colours, at the peak of its reconstruction.
 std::uint64_t bytesPerPixel(const ReconSettings& settings) {
@@ -44,16 +50,33 @@ SkySize skySizeOf(const Scene& scene) {
   const auto* lines = std::get_if<LineSpectrum>(&scene.sun.spectrum);
   const bool single =
       std::holds_alternative<MonochromaticSpectrum>(scene.sun.spectrum) || (lines && lines->wavelengths.size() == 1);
-  return {std::int64_t{scene.camera.width} * scene.camera.height, !single};
+  std::set<std::pair<bool, bool>> symmetries;  // random, or else mirrored
+  for (const PopulationSettings& population : scene.populations)
+    symmetries.emplace(isFullyRandom(population), !isFullyRandom(population) && isMirrorSymmetric(population));
+  const bool isMixed = scene.trace.symmetry == Symmetry::automatic;
+  const int parts = isMixed ? static_cast<int>(symmetries.size()) : 1;
+  const int named = static_cast<int>(scene.trace.paths.layers.size());
+  return {std::int64_t{scene.camera.width} * scene.camera.height, !single, named > 0 ? (named + 2) * parts : parts,
+          named > 0 ? named + 1 : 0};
+}
+
+SkySize skySizeOf(const SkyTally& tally) {
+  return {tally.pixels(), tally.colours() == 3, static_cast<int>(tally.parts().size() + tally.shared().size()),
+          static_cast<int>(tally.layers().size())};
 }
 
 std::uint64_t memoryToTrace(const SkySize& size, int threads) {
-  return static_cast<std::uint64_t>(size.pixels) * (size.colours ? 66 : 34) + memoryOfWorkers(threads);
+  return static_cast<std::uint64_t>(size.pixels) * bytesOfTally(size) * static_cast<std::uint64_t>(size.tallies) +
+         memoryOfWorkers(threads);
 }
 
 std::uint64_t memoryToReconstruct(const SkySize& size, const ReconSettings& settings, int threads) {
   const std::uint64_t colours = static_cast<std::uint64_t>(size.pixels) * bytesPerPixel(settings);
-  return (size.colours ? colours : colours / 100 * 64) + memoryOfWorkers(threads);
+  // Parts are reconstructed one after the other; their pictures are added, by layers.
+  const std::uint64_t more = bytesOfTally(size) * static_cast<std::uint64_t>(size.tallies - 1) +
+                             (size.tallies > 1 ? 20 : 0) + 12 * static_cast<std::uint64_t>(size.layers);
+  return (size.colours ? colours : colours / 100 * 64) + static_cast<std::uint64_t>(size.pixels) * more +
+         memoryOfWorkers(threads);
 }
 
 std::uint64_t memoryToMap(int binsPerHalfTurn, int threads) {

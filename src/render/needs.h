@@ -5,17 +5,22 @@
 
 #include "recon/recon_settings.h"
 #include "scene/scene.h"
+#include "sky/sky_tally.h"
 
 namespace parhelion {
 
 // What runs take, estimated before they start. The figures are measured, in bytes a pixel or bin.
 
-/// A picture's size, and whether it has colours or luminance alone.
+/// A picture's size, whether it has colours or luminance alone, and of how many tallies it is made, those that layers
+/// share among them.
 struct SkySize {
   std::int64_t pixels = 0;
   bool colours = true;
+  int tallies = 1;
+  int layers = 0;  // of light, the rest among them
 };
 SkySize skySizeOf(const Scene& scene);
+SkySize skySizeOf(const SkyTally& tally);
 
 // Memory at the peak, beyond what the program takes by itself: right to within a factor of 1.5. `threads` 0: one a
 // processor.

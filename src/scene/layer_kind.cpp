@@ -3,6 +3,8 @@
 #include <set>
 #include <string>
 
+#include "crystal/raypath/path_automaton.h"
+#include "crystal/raypath/path_symmetry.h"
 #include "crystal/raypath/stance.h"
 #include "scene/layer_checks.h"
 #include "scene/scene_keys.h"
@@ -98,8 +100,8 @@ bool kinds::Layers::read(const Value& in, std::vector<LayerSettings>& out) const
     if (!table) return Value{node, in.key, in.complaints}.mustBe("a list of tables");
     out.push_back(readLayer(*table, in.complaints));
     if (!out.back().name.empty() && !names.insert(out.back().name).second)
-      Value{*table->get("name"), in.key, in.complaints}.reject("the name of this layer is taken: \"" +
-                                                               out.back().name + '"');
+      Value{*table->get("name"), in.key, in.complaints}.reject("the name of this layer is taken: \"" + out.back().name +
+                                                               '"');
   }
   return true;
 }
@@ -113,8 +115,7 @@ Json kinds::Layers::schema() const {
 namespace {
 
 /// Complains about names that no population has.
-void checkNames(const std::vector<std::string>& names, const Scene& scene, const Place& place,
-                Complaints& complaints) {
+void checkNames(const std::vector<std::string>& names, const Scene& scene, const Place& place, Complaints& complaints) {
   std::vector<std::string_view> accepted;
   for (const PopulationSettings& population : scene.populations) accepted.push_back(population.name);
   for (const std::string& name : names)
@@ -126,18 +127,50 @@ bool isNamed(const std::vector<std::string>& names, const std::string& name) {
   return names.empty() || std::ranges::find(names, name) != names.end();
 }
 
+/// Whether a crystal of this mesh has the faces of some path that a pattern takes.
+bool hasFacesFor(const PathPattern& pattern, const Population& population) {
+  std::vector<int> numbers;
+  for (const Face& face : population.mesh().faces()) numbers.push_back(face.number);
+  const SymmetricPattern own[] = {
+      {&pattern, pathSymmetries(population.mesh(), population.orientation(), pattern.symmetry)}};
+  const PathAutomaton automaton(numbers, own);
+  for (int state = 0; state < automaton.states(); ++state)
+    if (state != PathAutomaton::kStart && automaton.accepted(state).any()) return true;
+  return false;
+}
+
+/// Complains about a pattern whose faces no crystal has.
+void checkFaces(const PathPattern& pattern, const std::vector<std::string>& populations, const Scene& scene,
+                const Place& place, Complaints& complaints) {
+  bool speaksOfSome = false;  // if not, that is complained about elsewhere
+  for (const PopulationSettings& settings : scene.populations) {
+    if (!isNamed(populations, settings.name) || !isNamed(pattern.populations, settings.name)) continue;
+    speaksOfSome = true;
+    const Population population(settings);
+    if (hasFacesFor(pattern, population)) return;
+    for (const PathPattern& other : pattern.others)
+      if (hasFacesFor(other, population)) return;
+  }
+  if (!speaksOfSome) return;
+  complaints.add(place, "no crystal here has the faces of '" + pattern.text + "'",
+                 "prisms have the faces 1 to 8, pyramids also 13 to 18 and 23 to 28");
+}
+
 /// Complains about the name of a halo that none of the populations can make.
 void checkStances(const PathPattern& pattern, const std::vector<std::string>& populations, const Scene& scene,
                   const Place& place, Complaints& complaints) {
-  if (pattern.stances.empty()) return;
+  checkFaces(pattern, populations, scene, place, complaints);
+  std::vector<Stance> stances = pattern.stances;
+  if (stances.empty()) return;
+  for (const PathPattern& other : pattern.others)
+    stances.insert(stances.end(), other.stances.begin(), other.stances.end());
   for (const PopulationSettings& settings : scene.populations) {
     if (!isNamed(populations, settings.name) || !isNamed(pattern.populations, settings.name)) continue;
     const auto stance = stanceOf(Population(settings));
-    if (stance && std::ranges::find(pattern.stances, *stance) != pattern.stances.end()) return;
+    if (stance && std::ranges::find(stances, *stance) != stances.end()) return;
   }
   std::string needed;
-  for (const Stance stance : pattern.stances)
-    needed += (needed.empty() ? "\"" : " or \"") + std::string(nameOf(stance)) + '"';
+  for (const Stance stance : stances) needed += (needed.empty() ? "\"" : " or \"") + std::string(nameOf(stance)) + '"';
   complaints.add(place, "no population here makes the halo of '" + pattern.text + "'",
                  "it comes of crystals whose orientation is " + needed);
 }

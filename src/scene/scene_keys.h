@@ -126,7 +126,8 @@ void visitKeys(Visitor& v, TraceSettings& trace) {
         "Symmetry of the sky to make use of: rays count as their mirror images, too (\"mirror\"), or for whole rings "
         "about the sun (\"radial\"); \"auto\" takes the most that the populations allow.");
   v.key("allocation", kinds::Choice<Allocation>{}, trace.allocation,
-        "How the rays of a picture are shared out among populations: as their light is (\"light\"), or more to those that "
+        "How the rays of a picture are shared out among populations: as their light is (\"light\"), or more to those "
+        "that "
         "make more noise, as a pilot run finds it (\"auto\"). The light is the same.");
   v.key("filter", kinds::Optional{kinds::Paths{}}, trace.paths.filter,
         "Keeps only light of such raypaths: a pattern such as \"3-5\", or the name of a halo.");
@@ -142,7 +143,8 @@ struct LayerKeys {
 
 template <class Visitor>
 void visitKeys(Visitor& v, LayerKeys& layer) {
-  v.key("name", kinds::Optional{kinds::Text{}}, layer.name, "Name, unique: the picture has channels NAME.R, NAME.G, "
+  v.key("name", kinds::Optional{kinds::Text{}}, layer.name,
+        "Name, unique: the picture has channels NAME.R, NAME.G, "
         "NAME.B.");
   v.key("paths", kinds::Optional{kinds::Paths{}}, layer.paths,
         "Raypaths of the layer: a pattern such as \"1-3\", or the name of a halo. All when left out.");

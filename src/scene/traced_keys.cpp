@@ -75,8 +75,8 @@ class KeyLister {
 
   void trace(const TraceSettings& settings) {
     const auto& [rays, seed, engine, path, sampler, symmetry, paths, allocation] = settings;
-    static_cast<void>(rays);      // how many there are changes none of them
-    static_cast<void>(seed);      // told apart from the scene
+    static_cast<void>(rays);        // how many there are changes none of them
+    static_cast<void>(seed);        // told apart from the scene
     static_cast<void>(symmetry);    // of tallies alone
     static_cast<void>(allocation);  // likewise
     put("trace.engine", std::string(nameOf(engine)));

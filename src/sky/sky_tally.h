@@ -12,8 +12,8 @@ namespace parhelion {
 /// The layer of what is in no layer that has a name.
 inline constexpr std::string_view kRestLayer = "rest";
 
-/// The tally of a sky in parts, each of which is reconstructed by itself, with its own noise: by layers of light, and by
-/// what a ray counts for, which depends on the symmetry of its population. All parts have the same rays, and the
+/// The tally of a sky in parts, each of which is reconstructed by itself, with its own noise: by layers of light, and
+/// by what a ray counts for, which depends on the symmetry of its population. All parts have the same rays, and the
 /// intercepted light of all populations.
 ///
 /// Layers are exact: their sums, with `shared` of each symmetry, are to the bit what one tally without layers has.

@@ -89,7 +89,8 @@ class SumRules {
     // A deposit's light and square are rounded by half a unit; where it became its own mirror image, by 1 and 2. The
     // light is that of several exits, each rounded.
     constexpr double kExits = 16.0;
-    const double off = hits * images_ * 0.5 * kExits / kWeightScale, offSquares = hits * images_ * images_ * 0.5 / kSquareScale;
+    const double off = hits * images_ * 0.5 * kExits / kWeightScale,
+                 offSquares = hits * images_ * images_ * 0.5 / kSquareScale;
     const double most = (light + off) * (light + off) + offSquares;
     const double least = std::pow(std::max(0.0, light - off), 2) / std::max(1.0, hits) - offSquares;
     if (squares > most * (1.0 + kRounding))

@@ -50,8 +50,8 @@ auto membersOf(AnySkyTally& sky) {
     return named ? std::string(nameOf(tally.info.symmetry)) + "." : std::string();
   };
   for (auto& part : sky.parts())
-    members.push_back({&part.tally, (part.layer.empty() ? "" : part.layer + "/") + symmetryPrefix(part.tally),
-                       allSlots(part.tally)});
+    members.push_back(
+        {&part.tally, (part.layer.empty() ? "" : part.layer + "/") + symmetryPrefix(part.tally), allSlots(part.tally)});
   for (auto& shared : sky.shared())
     members.push_back({&shared, kSharedPrefix + symmetryPrefix(shared), {Tally::kSquares, Tally::kHits}});
   return members;
@@ -73,7 +73,8 @@ void listParts(const std::vector<Member<AnyTally>>& members, std::vector<SumsPar
     for (const bool inRings : {false, true}) {
       if (inRings && !member.tally->rings()) continue;
       for (const int slot : member.slots) {
-        const std::string name = member.prefix + (inRings ? kRingPrefix : "") + kSlotNames[static_cast<std::size_t>(slot)];
+        const std::string name =
+            member.prefix + (inRings ? kRingPrefix : "") + kSlotNames[static_cast<std::size_t>(slot)];
         if (inRings)
           parts.push_back(listPart(name, static_cast<std::size_t>(member.tally->rings()->bins())));
         else
@@ -195,8 +196,7 @@ SkyTally readSkyTallyExr(const std::filesystem::path& path) {
   return withExrErrors(path, [&] {
     requireTallyKind(path, file, TallyKind::sky);
     requireMemoryFor(path, memoryOf(file));
-    const bool grey =
-        std::ranges::none_of(file.parts(), [](const SumsPart& part) { return endsWithPart(part, "X"); });
+    const bool grey = std::ranges::none_of(file.parts(), [](const SumsPart& part) { return endsWithPart(part, "X"); });
     SkyTally sky(infoOf(path, file), grey ? 1 : 3, symmetriesFromText(file.attributes()),
                  layersFromText(file.attributes()));
     shareTotals(sky);

@@ -113,7 +113,9 @@ std::string textFromSymmetries(const std::vector<TallySymmetry>& symmetries) {
 
 std::vector<TallySymmetry> symmetriesFromText(const ExrAttributes& attributes) {
   const AttributeReader reader(attributes);
-  const auto reject = [&reader] { reader.reject("symmetry", "none, mirror or radial, or several of them in this order"); };
+  const auto reject = [&reader] {
+    reader.reject("symmetry", "none, mirror or radial, or several of them in this order");
+  };
   if (!reader.has("symmetry")) reject();
   std::string_view text = reader.text("symmetry");
   std::vector<TallySymmetry> symmetries;

@@ -69,7 +69,7 @@ class Cloud {
   IceSettings ice_;
   std::vector<Population> populations_;
   std::vector<FaceTable> faces_;
-  std::array<Pilot, kNamesOf<Sampler>.size()> pilot_;  // by Sampler
+  std::array<Pilot, kNamesOf<Sampler>.size()> pilot_;        // by Sampler
   std::vector<double> favours_, lightPerRay_, lightShares_;  // by population
 };
 

@@ -14,7 +14,8 @@ void EnergyLedger::merge(const EnergyLedger& other) {
 
 double EnergyLedger::imbalance() const {
   const double all = in.value();
-  return all > 0.0 ? (all - out.value() - filtered.value() - absorbed.value() - cutOff.value() - lost.value()) / all : 0.0;
+  return all > 0.0 ? (all - out.value() - filtered.value() - absorbed.value() - cutOff.value() - lost.value()) / all
+                   : 0.0;
 }
 
 }  // namespace parhelion

@@ -22,9 +22,9 @@ struct ExitList {
   AlignedVector<double> undeviated;        // 1 for light that goes on as if there were no crystal, else 0
 
   // Of the path up to here, where PathRecord asks for it.
-  AlignedVector<double> pathState;                    // of the population's automaton
-  AlignedVector<std::uint64_t> pathFirst, pathLast;   // PathCode; there are order + 1 faces
-  std::vector<int> layer;                             // PathPlan::layerOf(), where there are layers
+  AlignedVector<double> pathState;                   // of the population's automaton
+  AlignedVector<std::uint64_t> pathFirst, pathLast;  // PathCode; there are order + 1 faces
+  std::vector<int> layer;                            // PathPlan::layerOf(), where there are layers
 
   Vec3 lightDir(int exit) const { return {lightDirWorld[0][exit], lightDirWorld[1][exit], lightDirWorld[2][exit]}; }
 

@@ -11,17 +11,15 @@ namespace parhelion {
 #define PARHELION_LANE_STEPS(lanes) PARHELION_PASTE(laneStepsOf, lanes)
 
 extern const LaneSteps PARHELION_LANE_STEPS(PARHELION_LANES);
-const LaneSteps PARHELION_LANE_STEPS(PARHELION_LANES) = {.lanes = kLanes,
-                                                         .draw = draw,
-                                                         .propose = propose,
-                                                         .enter = {enter<PathRecord::nothing>, enter<PathRecord::state>,
-                                                                   enter<PathRecord::sequence>},
-                                                         .findFaces = findFaces,
-                                                         .measureFaces = measureFaces,
-                                                         .meetFaces = {meetFaces<PathRecord::nothing>,
-                                                                       meetFaces<PathRecord::state>,
-                                                                       meetFaces<PathRecord::sequence>},
-                                                         .turnToWorld = turnToWorld,
-                                                         .see = see};
+const LaneSteps PARHELION_LANE_STEPS(PARHELION_LANES) = {
+    .lanes = kLanes,
+    .draw = draw,
+    .propose = propose,
+    .enter = {enter<PathRecord::nothing>, enter<PathRecord::state>, enter<PathRecord::sequence>},
+    .findFaces = findFaces,
+    .measureFaces = measureFaces,
+    .meetFaces = {meetFaces<PathRecord::nothing>, meetFaces<PathRecord::state>, meetFaces<PathRecord::sequence>},
+    .turnToWorld = turnToWorld,
+    .see = see};
 
 }  // namespace parhelion

@@ -91,8 +91,8 @@ PARHELION_INLINE void leave(const Triple<Real>& direction, const Real& energy, c
 }
 
 template <PathRecord kRecord>
-void enter(const FaceTable& faces, const PathTable& paths, std::uint64_t seed, PathRule rule, int member, RayQueue& queue, ExitList& exits,
-           EnergyUnits& energy) {
+void enter(const FaceTable& faces, const PathTable& paths, std::uint64_t seed, PathRule rule, int member,
+           RayQueue& queue, ExitList& exits, EnergyUnits& energy) {
   UnitSum out(energy.perLight);
   for (int i = 0; i < queue.count; i += kLanes) {
     const int ray = queue.ray(member, i);

@@ -19,7 +19,8 @@ namespace {
 
 /// A number in (0, 1) for an exit, whatever thread meets it.
 double chanceOf(std::uint64_t ray, int order) {
-  return toUnitInterval(randomWords<std::uint64_t>(0, RandomPurpose::pilot, static_cast<std::uint32_t>(order), ray).first);
+  return toUnitInterval(
+      randomWords<std::uint64_t>(0, RandomPurpose::pilot, static_cast<std::uint32_t>(order), ray).first);
 }
 
 /// Where samples, all of the same light, lie densest: first within a wide circle, then within a narrow one about what
@@ -89,12 +90,13 @@ class HaloNames {
 
 PathLedger::PathLedger(const Cloud& cloud, const PathLedgerScope& scope)
     : cloud_(cloud), scope_(scope), known_(cloud.populations().size()) {
+  if (scope.view) camera_.emplace(*scope.view);
   for (const Population& population : cloud.populations())
-    populations_.push_back({PathClasses(population.mesh(), pathSymmetries(population.mesh(), population.orientation(),
-                                                                          scope.symmetry)),
-                            {},
-                            {},
-                            {}});
+    populations_.push_back(
+        {PathClasses(population.mesh(), pathSymmetries(population.mesh(), population.orientation(), scope.symmetry)),
+         {},
+         {},
+         {}});
 }
 
 std::unique_ptr<Film> PathLedger::forThread() { return std::make_unique<PathLedger>(cloud_, scope_); }
@@ -120,6 +122,7 @@ int PathLedger::classOf(int population, const PathCode::Words& words, int count)
 bool PathLedger::isInScope(const TracedRays& traced, int exit, const Vec3& toSky) const {
   if (traced.exits.undeviated[exit] != 0.0) return false;
   if (scope_.layer && traced.exits.layer[static_cast<std::size_t>(exit)] != *scope_.layer) return false;
+  if (camera_ && !camera_->project(toSky)) return false;
   return !scope_.region || glm::dot(toSky, scope_.region->toCentre) >= std::cos(scope_.region->radius);
 }
 
@@ -226,9 +229,12 @@ std::vector<PathLedger::Entry> PathLedger::entries(double wavelength) const {
       std::sort(samples.begin(), samples.end());
       std::vector<Vec3> toSky;
       for (const Sample& one : samples) toSky.push_back(one.toSky);
+      // Light in the sun's vertical lies on both sides of it.
+      constexpr std::size_t kKnown = 64;
+      if (cloud_.populations()[p].isMirrorSymmetric() && !scope_.region && toSky.size() >= kKnown)
+        for (const Sample& one : samples) toSky.emplace_back(one.toSky.x, -one.toSky.y, one.toSky.z);
       entries.push_back({own.classes.text(own.classAt[i]), static_cast<int>(p), share,
-                         std::sqrt(std::max(0.0, variance)) / all,
-                         densestAmong(toSky),
+                         std::sqrt(std::max(0.0, variance)) / all, densestAmong(toSky),
                          own.classes.leastDeviation(own.classAt[i], index), names.of(own.classAt[i])});
     }
   }

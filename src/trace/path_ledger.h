@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "crystal/raypath/path_class.h"
+#include "sky/camera.h"
 #include "sky/fixed_point.h"
 #include "trace/film.h"
 #include "trace/path_plan.h"
@@ -26,8 +27,9 @@ struct SkyRegion {
 /// Which light a ledger looks at.
 struct PathLedgerScope {
   PathSymmetry symmetry = PathSymmetry::orientation;
-  std::optional<SkyRegion> region;  // none: the whole sky
-  std::optional<int> layer;         // PathPlan::layerOf(); none: all
+  std::optional<SkyRegion> region;     // none: the whole sky
+  std::optional<int> layer;            // PathPlan::layerOf(); none: all
+  std::optional<CameraSettings> view;  // only what this camera sees; none: all
 };
 
 /// How much of the light that leaves the crystals deviated came by which class of raypaths.
@@ -44,10 +46,10 @@ class PathLedger : public Film {
   struct Entry {
     std::string path;  // a pattern
     int population;
-    double share, error;           // of all light in scope, and its standard error
-    Vec3 toPeak;                   // unit world vector to where its light is densest on the sky
+    double share, error;                   // of all light in scope, and its standard error
+    Vec3 toPeak;                           // unit world vector to where its light is densest on the sky
     std::optional<double> leastDeviation;  // rad
-    std::string name;              // of the halos that patterns call so, with " / " between them; may be empty
+    std::string name;                      // of the halos that patterns call so, with " / " between them; may be empty
   };
 
   /// Most light first. Refractive indices are those of `wavelength` (nm).
@@ -98,6 +100,7 @@ class PathLedger : public Film {
 
   const Cloud& cloud_;
   PathLedgerScope scope_;
+  std::optional<Camera> camera_;
   std::vector<OfPopulation> populations_;
   std::vector<std::unordered_map<Known, int, HashOfKnown>> known_;  // by population
   LightTotal intercepted_, all_;

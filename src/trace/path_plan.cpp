@@ -44,13 +44,12 @@ double tiltOf(const OrientationSettings& orientation, const Vec3& crystalY, cons
     // Of angles beyond a pole, where the axis comes down.
     return std::abs(zenithAngle(axis) - std::abs(std::remainder(centreOf(rest), 2.0 * kPi)));
   };
-  return std::visit(
-      Overloaded{
-          [&](const RandomOrientation&) { return zenithAngle(crystalZ); },
-          [&](const AxisOrientation& axis) { return from(axis.zenith, crystalZ); },
-          [&](const LowitzOrientation& lowitz) { return from(lowitz.axisZenith, crystalY); },
-      },
-      orientation);
+  return std::visit(Overloaded{
+                        [&](const RandomOrientation&) { return zenithAngle(crystalZ); },
+                        [&](const AxisOrientation& axis) { return from(axis.zenith, crystalZ); },
+                        [&](const LowitzOrientation& lowitz) { return from(lowitz.axisZenith, crystalY); },
+                    },
+                    orientation);
 }
 
 PathPlan::PathPlan(const Cloud& cloud, const PathSettings& settings, bool sequences)
@@ -79,10 +78,14 @@ PathPlan::OfPopulation PathPlan::planFor(const Population& population, const Pat
   // Patterns that speak of this population, and what each decides: a layer, or the filter.
   std::vector<SymmetricPattern> patterns;
   std::vector<int> decides;
-  const auto add = [&](const PathPattern& pattern, int what) {
+  const auto addOne = [&](const PathPattern& pattern, int what) {
     if (!speaksOf(pattern, population, stance)) return;
     patterns.push_back({&pattern, pathSymmetries(mesh, population.orientation(), pattern.symmetry)});
     decides.push_back(what);
+  };
+  const auto add = [&](const PathPattern& pattern, int what) {
+    addOne(pattern, what);
+    for (const PathPattern& other : pattern.others) addOne(other, what);
   };
   for (int layer = 0; layer < layers_; ++layer) {
     const LayerSettings& own = settings.layers[static_cast<std::size_t>(layer)];

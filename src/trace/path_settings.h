@@ -26,8 +26,8 @@ inline constexpr std::size_t kMostLayers = 64;
 
 /// What a run keeps of the light, and what it tells apart.
 struct PathSettings {
-  std::optional<PathPattern> filter;   // only light that took such a path is kept
-  std::vector<LayerSettings> layers;   // light goes to the first that takes it, and what none takes to the rest
+  std::optional<PathPattern> filter;  // only light that took such a path is kept
+  std::vector<LayerSettings> layers;  // light goes to the first that takes it, and what none takes to the rest
 };
 
 }  // namespace parhelion

@@ -48,9 +48,8 @@ int RadialFilm::add(const TracedRays& traced) {
     for (const auto& [ring, layer, light] : deposits_.all())
       skies_[static_cast<std::size_t>(layer)]->add(ring, light, firstHalf);
     if (isLayered)
-      deposits_.forShared([this](int ring, std::int64_t squares, std::int64_t hits) {
-        sharedSky_->addShared(ring, squares, hits);
-      });
+      deposits_.forShared(
+          [this](int ring, std::int64_t squares, std::int64_t hits) { sharedSky_->addShared(ring, squares, hits); });
   }
   return seen;
 }

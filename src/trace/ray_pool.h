@@ -24,9 +24,9 @@ struct RayPool {
   alignas(64) Numbers face;         // on which the ray starts
   alignas(64) Numbers order;        // internal encounters so far
   alignas(64) Numbers internalPath;
-  alignas(64) Numbers pathState;                           // where PathRecord asks for it
-  alignas(64) Row<std::uint64_t> pathFirst, pathLast;      // PathCode, likewise
-  alignas(64) Row<std::uint64_t> random0, random1;  // state of PathRandom
+  alignas(64) Numbers pathState;                       // where PathRecord asks for it
+  alignas(64) Row<std::uint64_t> pathFirst, pathLast;  // PathCode, likewise
+  alignas(64) Row<std::uint64_t> random0, random1;     // state of PathRandom
 
   // Constant while the ray is in the pool.
   alignas(64) Numbers ray, stretch, iceIndex, perIceIndex;  // ray: RayQueue::ray(); perIceIndex: 1 / iceIndex

@@ -38,9 +38,8 @@ int SkyFilm::add(const TracedRays& traced) {
     const bool firstHalf = queue.bundle[place] % 2 == 0;
     for (const auto& [pixel, layer, light] : deposits_.all()) buffer_.add(layer, pixel, light, firstHalf);
     if (isLayered)
-      deposits_.forShared([this](int pixel, std::int64_t squares, std::int64_t hits) {
-        buffer_.addShared(pixel, squares, hits);
-      });
+      deposits_.forShared(
+          [this](int pixel, std::int64_t squares, std::int64_t hits) { buffer_.addShared(pixel, squares, hits); });
   }
   return foldsPicture() ? 2 * seen_.count : seen_.count;
 }

@@ -15,15 +15,13 @@ namespace parhelion {
 class SkyFilm : public Film {
  public:
   /// The tallies must outlive the film; all have the camera that is looked through. Where their symmetry is `mirror`,
-  /// every ray counts as its mirror image in the sun's vertical plane, too: for clouds that are their own mirror images.
-  /// `shared` is SkyTally::Shared, null for a single layer.
+  /// every ray counts as its mirror image in the sun's vertical plane, too: for clouds that are their own mirror
+  /// images. `shared` is SkyTally::Shared, null for a single layer.
   SkyFilm(std::vector<Tally*> layers, Tally* shared)
       : SkyFilm(std::move(layers), shared, std::make_shared<DepositBuffer::Locks>()) {}
 
   int add(const TracedRays& traced) override;
-  std::unique_ptr<Film> forThread() override {
-    return std::unique_ptr<SkyFilm>(new SkyFilm(layers_, shared_, locks_));
-  }
+  std::unique_ptr<Film> forThread() override { return std::unique_ptr<SkyFilm>(new SkyFilm(layers_, shared_, locks_)); }
   void merge(Film& fromThread) override;
   void visitSums(SumVisitor& visitor) override;
   void finish() override;

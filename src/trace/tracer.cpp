@@ -39,10 +39,10 @@ Tracer::Tracer(const Cloud& cloud, const TraceSettings& settings, Film& film, in
       steps_(laneSteps(simd)),
       engines_(makeIntersectors(cloud, settings.engine)),
       paths_(cloud, settings.paths, film.wantsSequences()),
-      workers_(
-          new Workers{Threads(threads), tbb::enumerable_thread_specific<Worker>([this, settings] {
-                        return Worker{film_.forThread(), std::make_unique<Wave>(cloud_, engines_, paths_, settings, steps_)};
-                      })}),
+      workers_(new Workers{
+          Threads(threads), tbb::enumerable_thread_specific<Worker>([this, settings] {
+            return Worker{film_.forThread(), std::make_unique<Wave>(cloud_, engines_, paths_, settings, steps_)};
+          })}),
       batch_(kFirstBatch) {}
 
 Tracer::~Tracer() = default;

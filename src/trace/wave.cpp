@@ -210,7 +210,8 @@ void Wave::count(const RayQueue& queue, int members) {
 
 void TraceCounts::visitSums(SumVisitor& visitor) {
   for (std::uint64_t* count : {&rays, &hits, &deposits, &placed, &rescued}) visitor.visit(*count);
-  for (ExactSum* sum : {&energy.in, &energy.out, &energy.filtered, &energy.absorbed, &energy.cutOff, &energy.lost}) visitor.visit(*sum);
+  for (ExactSum* sum : {&energy.in, &energy.out, &energy.filtered, &energy.absorbed, &energy.cutOff, &energy.lost})
+    visitor.visit(*sum);
 }
 
 }  // namespace parhelion

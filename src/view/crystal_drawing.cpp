@@ -160,8 +160,8 @@ void drawCrystal(const Output& svg, const CrystalDrawing& drawing, const std::st
     cairo_set_source_rgb(context.get(), 1.0, 1.0, 1.0);
     cairo_paint(context.get());
     Drawing pen(drawing, context.get());
-    // Along -y, the sun, which is toward +x, is at the left; and so it is from above with -y up. Both a little tipped, so
-    // that no face is a mere line.
+    // Along -y, the sun, which is toward +x, is at the left; and so it is from above with -y up. Both a little tipped,
+    // so that no face is a mere line.
     pen.from(viewFrom({-0.12, 1.0, 0.2}, {-1.0, 0.0, 0.0}, "from the side, the sun at the left"), 0.0);
     pen.from(viewFrom({-0.05, 0.15, 1.0}, {-1.0, 0.0, 0.0}, "from above, the sun at the left"), kSide);
     cairo_set_font_size(context.get(), 13.0);
@@ -169,8 +169,7 @@ void drawCrystal(const Output& svg, const CrystalDrawing& drawing, const std::st
     cairo_move_to(context.get(), 12.0, kSide + 0.6 * kCaption);
     cairo_show_text(context.get(), drawing.caption.c_str());
     cairo_surface_finish(surface.get());
-    const cairo_status_t status =
-        std::max(cairo_status(context.get()), cairo_surface_status(surface.get()));
+    const cairo_status_t status = std::max(cairo_status(context.get()), cairo_surface_status(surface.get()));
     if (status != CAIRO_STATUS_SUCCESS)
       throw std::runtime_error(svg.path.string() + ": " + cairo_status_to_string(status));
   }

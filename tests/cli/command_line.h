@@ -69,10 +69,10 @@ class CommandLine {
 
 /// Options that take any text: names of files and folders, keys of scenes. Their own readers judge them.
 inline bool takesAnyText(const Asked& asked) {
-  static const std::set<std::string> kNames{"",       "-o",        "--output", "--stats", "--scene",   "--halo",
-                                            "--mask", "--layers",  "--beside", "--minus", "--profile", "--summary",
-                                            "-D",     "--compare", "--resume", "--tally",  "--slice",  "--paths",
-                                            "--layer", "--csv",    "--json"};
+  static const std::set<std::string> kNames{"",        "-o",        "--output", "--stats", "--scene",   "--halo",
+                                            "--mask",  "--layers",  "--beside", "--minus", "--profile", "--summary",
+                                            "-D",      "--compare", "--resume", "--tally", "--slice",   "--paths",
+                                            "--layer", "--csv",     "--json"};
   return kNames.contains(asked.option);
 }
 

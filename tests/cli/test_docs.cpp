@@ -46,8 +46,8 @@ std::vector<std::string> blocks(const std::filesystem::path& document, const std
 /// is tested is that it works, not what it draws.
 const std::string kQuickly =
     "parhelion() { c=$1; shift; few= last=; "
-    "case \"$c $*\" in render*|trace*|profile*|map*|sweep*|composite*--scene*) few='-D trace.rays=3000';; esac; "
-    "case \"$c $*\" in *--resolution*|*camera*) ;; render*|trace*|sweep*) few=\"$few -D "
+    "case \"$c $*\" in render*|trace*|profile*|map*|paths*|sweep*|composite*--scene*) few='-D trace.rays=3000';; esac; "
+    "case \"$c $*\" in *--resolution*|*camera*) ;; render*|trace*|sweep*|paths*) few=\"$few -D "
     "camera.resolution=[256,128]\";; esac; "
     "for a; do shift; [ \"$last\" = --rays ] && a=3000; last=$a; set -- \"$@\" \"$a\"; done; "
     "'" PARHELION_BINARY "' $c \"$@\" $few; } && ";

@@ -25,7 +25,9 @@ const CrystalMesh& prism() {
 
 AxisOrientation plate() { return {Normal{0.0, radians(1)}}; }
 AxisOrientation column() { return {Normal{0.5 * kPi, radians(1)}}; }
-AxisOrientation parry() { return {Normal{0.5 * kPi, radians(1)}, UniformRange{0.0, 2.0 * kPi}, Normal{0.0, radians(1)}}; }
+AxisOrientation parry() {
+  return {Normal{0.5 * kPi, radians(1)}, UniformRange{0.0, 2.0 * kPi}, Normal{0.0, radians(1)}};
+}
 
 std::size_t orderOf(const OrientationSettings& orientation, PathSymmetry symmetry = PathSymmetry::orientation,
                     const CrystalMesh& mesh = prism()) {
@@ -50,7 +52,8 @@ bool takes(const std::string& text, const std::vector<int>& path, const Orientat
 }
 
 /// All images of a path.
-std::set<std::vector<int>> classOf(std::vector<int> path, const OrientationSettings& orientation, PathSymmetry symmetry) {
+std::set<std::vector<int>> classOf(std::vector<int> path, const OrientationSettings& orientation,
+                                   PathSymmetry symmetry) {
   std::set<std::vector<int>> images;
   for (const std::vector<int>& image : pathSymmetries(prism(), orientation, symmetry)) {
     std::vector<int> moved;
@@ -162,14 +165,16 @@ TEST_CASE("patterns take what they say: chains, classes, alternatives, counts") 
   CHECK(takes("9° halo", {26, 3}, random, pyramid));
 }
 
-TEST_CASE("all names of halos are patterns, and none is taken by two") {
-  std::set<std::string_view> names;
+TEST_CASE("all names of halos are patterns, of which each stance has one") {
+  std::set<std::pair<std::string_view, Stance>> names;
   for (const HaloPath& halo : haloPaths()) {
     CAPTURE(halo.name);
-    CHECK(names.insert(halo.name).second);
-    CHECK(haloNamed(halo.name) == &halo);
+    for (const Stance stance : halo.stances) CHECK(names.insert({halo.name, stance}).second);
+    const auto named = halosNamed(halo.name);
+    CHECK(std::ranges::find(named, &halo) != named.end());
     CHECK_FALSE(parsePathPattern(halo.pattern).places.empty());
-    CHECK(parsePathPattern(halo.name).stances == halo.stances);
+    CHECK(parsePathPattern(halo.name).stances == named.front()->stances);
+    CHECK(parsePathPattern(halo.name).others.size() + 1 == named.size());
     CHECK_FALSE(halo.source.empty());
   }
 }
@@ -190,6 +195,9 @@ TEST_CASE("a bad pattern is refused at the place where it is bad") {
   CHECK(placeOfError("3-5, population = 'a") == 18);
   CHECK(placeOfError("circumzenithal ark") == 0);
   CHECK(placeOfError("-3") == 0);
+  CHECK(placeOfError("not") == 3);
+  CHECK(placeOfError(" ") == 1);
+  CHECK(placeOfError("") == 0);
   CHECK(placeOfError("3-99999999999999999999") == 2);
   CHECK(placeOfError(std::string(1000, '(')) == static_cast<std::size_t>(kDeepestPattern) + 1);
 }

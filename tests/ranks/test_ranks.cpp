@@ -38,7 +38,10 @@ TEST_CASE("one, two and three ranks of one and two threads make the same tally a
   writeFile(folder / "mirrored.toml", scene(kPlates));
   writeFile(folder / "plain.toml", scene(kPlates, "symmetry = 'none'\n"));
   writeFile(folder / "radial.toml", scene("aspect = 1.0\norientation = 'random'\n"));
-  for (const std::string name : {"mirrored", "plain", "radial"}) {
+  writeFile(folder / "layered.toml", scene(kPlates + "[[population]]\nweight = 0.5\n") +
+                                         "[[layer]]\nname = 'wedge'\npaths = '3-5'\n"
+                                         "[[layer]]\nname = 'ends'\npaths = '*-basal-*'\n");
+  for (const std::string name : {"mirrored", "plain", "radial", "layered"}) {
     REQUIRE(runRanks(folder, "parhelion trace " + name + ".toml -o " + name + ".exr --quiet").exit == 0);
     for (const std::string ranks : {"1", "2", "3"})
       for (const std::string threads : {"1", "2"}) {

@@ -8,6 +8,7 @@
 
 #include "picture/temporary_directory.h"
 #include "recon/reconstruct.h"
+#include "render/needs.h"
 #include "render/scenes.h"
 #include "render/traced_sky.h"
 #include "sky/tally_exr.h"
@@ -133,7 +134,8 @@ TEST_CASE("pictures of layers add up to the whole picture to float rounding, and
         size += std::abs(at(image, layer + "." + colour));
       }
       worst = std::max(worst, std::abs(sum - at(image, colour)) / size);
-      const double expected = sum - 0.5 * at(image, std::string("wedge.") + colour) - at(image, std::string("rest.") + colour);
+      const double expected =
+          sum - 0.5 * at(image, std::string("wedge.") + colour) - at(image, std::string("rest.") + colour);
       apart = std::max(apart, std::abs(expected - at(relit, colour)) / size);
     }
   CHECK(worst < 1.2e-7);
@@ -141,8 +143,11 @@ TEST_CASE("pictures of layers add up to the whole picture to float rounding, and
 }
 
 TEST_CASE("the picture of a mixed cloud has no other light than that without symmetry, where errors say so") {
-  for (const auto& overrides : std::vector<std::vector<std::string>>{
-           {}, {"sun.elevation=5"}, {"population.columns.orientation='column'", "population.plates.tilt=", "population.plates.orientation='random'"}}) {
+  for (const auto& overrides :
+       std::vector<std::vector<std::string>>{{},
+                                             {"sun.elevation=5"},
+                                             {"population.columns.orientation='column'",
+                                              "population.plates.tilt=", "population.plates.orientation='random'"}}) {
     std::vector<std::string> plain = overrides, mixed = overrides;
     for (auto* both : {&plain, &mixed}) both->push_back("trace.rays=400000");
     plain.push_back("trace.symmetry='none'");
@@ -156,4 +161,27 @@ TEST_CASE("the picture of a mixed cloud has no other light than that without sym
     }
     CHECK(std::abs(apart) < 4.5 * std::sqrt(squares) * 1.5);  // the other's rings scatter together
   }
+}
+
+TEST_CASE("the memory of a run counts all tallies that it has") {
+  for (const LoadedScene& plain : allScenes())
+    for (const LoadedScene& loaded : {plain, withLayers(plain)}) {
+      const SkySize before = skySizeOf(loaded.scene), after = skySizeOf(emptyTally(loaded, cloudOf(loaded.scene)));
+      CHECK(before.pixels == after.pixels);
+      CHECK(before.colours == after.colours);
+      CHECK(before.tallies == after.tallies);
+      CHECK(before.layers == after.layers);
+    }
+}
+
+TEST_CASE("64 layers of populations with all symmetries fit into a file") {
+  const TemporaryDirectory directory;
+  std::string text = smallScene().text;
+  text += "[[population]]\nname = 'turned'\norientation = { zenith = 60, azimuth = 40, roll = 10 }\n";
+  for (int i = 0; i < 64; ++i)
+    text += "[[layer]]\nname = 'l" + std::to_string(i) + "'\npaths = 'hits = " + std::to_string(i + 1) + "'\n";
+  const SkyTally tally = tallyOf(parseScene(text, "many.toml"));
+  CHECK(tally.symmetries().size() == 3);
+  writeSkyTallyExr(directory / "many.exr", tally);
+  CHECK(readSkyTallyExr(directory / "many.exr") == tally);
 }

@@ -131,6 +131,13 @@ TEST_CASE("plain and mirrored tallies of 1, 3 and 64 slices are those of one run
   }
 }
 
+TEST_CASE("tallies with layers of 1, 3 and 64 slices are those of one run, in any order") {
+  checkPartitions(parseScene(smallScene().text + "[[layer]]\nname = 'wedge'\npaths = '3-5'\n[[layer]]\nname = 'ends'\n"
+                                                 "paths = '*-basal-*'\n",
+                             "layered.toml"),
+                  traced);
+}
+
 TEST_CASE("radial tallies of 1, 3 and 64 slices are those of one run, in any order") {
   const LoadedScene loaded = columnsScene();
   REQUIRE(emptyTally(loaded, cloudOf(loaded.scene)).parts().front().tally.rings() != nullptr);

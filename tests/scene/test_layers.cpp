@@ -63,7 +63,9 @@ TEST_CASE("a bad pattern is shown with a caret under the place, in files and in 
   CHECK(override("trace.filter='3-5-'").column == 19);
   CHECK(override("trace.filter=circumzenithal ark").hint == "did you mean 'circumzenithal arc'?");
   CHECK(override("trace.filter=3-5, symetry = none").hint == "did you mean 'symmetry'?");
-  CHECK(override("trace.filter=35").message.empty());  // an outside reflection; no crystal here has such a face
+  CHECK(override("trace.filter=35").hint.find("prisms have the faces 1 to 8") == 0);
+  CHECK(override("trace.filter=9° halo").message == "no crystal here has the faces of '9° halo'");
+  CHECK(override("trace.filter=6").message.empty());  // an outside reflection; no crystal here has such a face
   CHECK(errorOf(kPopulations + "[trace]\nfilter = 3.5\n").message.find("a pattern of raypaths") != std::string::npos);
 }
 

@@ -37,9 +37,9 @@ struct SequenceFilm : Film {
     const ExitList& exits = traced.exits;
     for (int i = 0; i < exits.count; ++i) {
       const int ray = static_cast<int>(exits.ray[i]);
-      const std::uint64_t index = traced.queue.bundle[traced.queue.placeOf(ray)] *
-                                      static_cast<std::uint64_t>(traced.queue.members) +
-                                  static_cast<std::uint64_t>(traced.queue.memberOf(ray));
+      const std::uint64_t index =
+          traced.queue.bundle[traced.queue.placeOf(ray)] * static_cast<std::uint64_t>(traced.queue.members) +
+          static_cast<std::uint64_t>(traced.queue.memberOf(ray));
       paths[{index, static_cast<int>(exits.order[i])}] = {
           {exits.pathFirst[i], exits.pathLast[i]}, exits.pathState[i], exits.energy[i]};
     }
@@ -67,8 +67,7 @@ Paths pathsOfSingleRays(const Cloud& cloud, const TraceSettings& settings, std::
       const auto face = std::ranges::find(faces, met.faceNumber, &Face::number) - faces.begin();
       state = plan.automaton(population).next(state, static_cast<int>(face));
       words = plan.code(population).with(words, static_cast<int>(face), count++);
-      if (met.energyLeaving > 0.0)
-        paths[{ray, met.order}] = {words, static_cast<double>(state), met.energyLeaving};
+      if (met.energyLeaving > 0.0) paths[{ray, met.order}] = {words, static_cast<double>(state), met.energyLeaving};
     }
   }
   return paths;
@@ -99,7 +98,8 @@ void checkSequences(const TraceSettings& settings, const Cloud& cloud, std::uint
   CHECK((film.paths == expected));
 }
 
-std::vector<ScatterProfile::Bin> profileOf(const Cloud& cloud, const TraceSettings& settings, TraceReport* report = {}) {
+std::vector<ScatterProfile::Bin> profileOf(const Cloud& cloud, const TraceSettings& settings,
+                                           TraceReport* report = {}) {
   ScatterProfile profile(180, 0.0, kPi);
   const TraceReport own = traceRays(cloud, settings, 0, profile);
   if (report) *report = own;
@@ -150,9 +150,7 @@ TEST_CASE("a filter that takes everything changes no bit, and one and its opposi
 TEST_CASE("patterns speak of the populations and stances that they name") {
   const Cloud cloud = simpleCloud({{"a", 1.0, PrismSettings{FixedValue{0.2}}, AxisOrientation{Normal{0.0, radians(1)}}},
                                    {"b", 1.0, PrismSettings{FixedValue{2.0}}, RandomOrientation{}}});
-  const PathPlan plan(cloud, {{},
-                              {layer("3-5, population = b"), layer("circumzenithal arc"),
-                               {"c", {}, {"b"}, {}}}});
+  const PathPlan plan(cloud, {{}, {layer("3-5, population = b"), layer("circumzenithal arc"), {"c", {}, {"b"}, {}}}});
   const auto layerOf = [&](int population, std::vector<int> faces) {
     int state = PathAutomaton::kStart;
     for (const int face : faces) state = plan.automaton(population).next(state, face - 1);
@@ -166,17 +164,16 @@ TEST_CASE("patterns speak of the populations and stances that they name") {
 }
 
 TEST_CASE("layers of tilt part the crystals by how far they are from their rest") {
-  const auto tilted = [](double zenith) {
-    return Vec3(std::sin(zenith), 0.0, std::cos(zenith));
-  };
+  const auto tilted = [](double zenith) { return Vec3(std::sin(zenith), 0.0, std::cos(zenith)); };
   const AxisOrientation plate{Normal{0.0, 0.1}}, column{Normal{0.5 * kPi, 0.1}};
   CHECK(tiltOf(plate, {}, tilted(0.07)) == doctest::Approx(0.07));
   CHECK(tiltOf(column, {}, tilted(0.5 * kPi - 0.07)) == doctest::Approx(0.07));
   CHECK(tiltOf(LowitzOrientation{}, tilted(0.5 * kPi + 0.07), {}) == doctest::Approx(0.07));
   CHECK(tiltOf(RandomOrientation{}, {}, tilted(0.3)) == doctest::Approx(0.3));
 
-  PathSettings settings{{}, {{"low", {}, {}, LayerSettings::TiltRange{0.0, 0.05}},
-                             {"high", {}, {}, LayerSettings::TiltRange{0.05, 0.1}}}};
+  PathSettings settings{
+      {},
+      {{"low", {}, {}, LayerSettings::TiltRange{0.0, 0.05}}, {"high", {}, {}, LayerSettings::TiltRange{0.05, 0.1}}}};
   const Cloud cloud = simpleCloud({prismPopulation(0.2, plate)});
   const PathPlan plan(cloud, settings);
   const auto layerAt = [&](double tilt) {

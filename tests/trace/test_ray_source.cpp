@@ -116,8 +116,8 @@ const SpectrumSettings kSpectra[] = {MonochromaticSpectrum{550.0}, ContinuousSpe
                                      LineSpectrum{{450.0, 550.0, 650.0}}};
 
 Tally exposeSobol(const Cloud& cloud, std::uint64_t firstRay, std::uint64_t endRay, int threads) {
-  return traceSky(cloud, wholeSphere(), {.rays = endRay, .sampler = Sampler::sobol, .symmetry = Symmetry::mirror}, firstRay,
-                  threads);
+  return traceSky(cloud, wholeSphere(), {.rays = endRay, .sampler = Sampler::sobol, .symmetry = Symmetry::mirror},
+                  firstRay, threads);
 }
 
 }  // namespace

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "crystals.h"
-#include "trace/scatter_profile.h"
 #include "trace/expose.h"
+#include "trace/scatter_profile.h"
 #include "trace/sky_map.h"
 
 using namespace parhelion;

@@ -49,6 +49,7 @@ std::span<const HaloPath> haloPaths() {
       {"infralateral arc", "1-3", {column}, kTape},
       // Reflections.
       {"parhelic circle", "prism | 1-prism-2 | 1-prism-prism-prism-2", {plate}, kTape},
+      {"parhelic circle", "basal | 3-1-6, symmetry = crystal", {column, parry}, kTape},
       {"120° parhelion", "1-3-4-2 | 1-3-5-2", {plate}, kTape},
       {"subsun", "1 | 1-2-1 | 3-2-6 | 3-2-1-2-6", {plate}, kGreenler},
       {"subparhelion", "3-2-5 | 3-1-5 | 3-2-1-2-5 | 3-1-2-1-5", {plate}, kTape},
@@ -66,17 +67,19 @@ std::span<const HaloPath> haloPaths() {
   return table;
 }
 
-const HaloPath* haloNamed(std::string_view name) {
-  if (name.empty()) return nullptr;
+std::vector<const HaloPath*> halosNamed(std::string_view name) {
+  std::vector<const HaloPath*> halos;
+  if (name.empty()) return halos;
   const std::string plain = plainName(name);
   for (const HaloPath& halo : haloPaths())
-    if (plainName(halo.name) == plain) return &halo;
-  return nullptr;
+    if (plainName(halo.name) == plain) halos.push_back(&halo);
+  return halos;
 }
 
 std::vector<std::string_view> haloNames() {
   std::vector<std::string_view> names;
-  for (const HaloPath& halo : haloPaths()) names.push_back(halo.name);
+  for (const HaloPath& halo : haloPaths())
+    if (std::ranges::find(names, halo.name) == names.end()) names.push_back(halo.name);
   return names;
 }
 

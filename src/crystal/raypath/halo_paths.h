@@ -9,7 +9,8 @@
 
 namespace parhelion {
 
-/// A halo that has a name: which raypaths make it in crystals of which stance.
+/// A halo that has a name: which raypaths make it in crystals of which stance. Where other paths make it in crystals of
+/// another stance, there is one more of the same name.
 struct HaloPath {
   std::string_view name;        // as observers call it, UTF-8
   std::string_view pattern;     // path_pattern.h
@@ -18,13 +19,14 @@ struct HaloPath {
 };
 
 /// The halos that patterns may call by name. Paths after Greenler 1980, Tape 1994, Tape & Moilanen 2006. Where two
-/// halos come of the same paths in the same crystals, such as the upper and the lower tangent arc, both names mean both.
+/// halos come of the same paths in the same crystals, such as the upper and the lower tangent arc, both names mean
+/// both.
 std::span<const HaloPath> haloPaths();
 
-/// The halo of this name, whatever its capitals; its plural and "deg" for the degree sign will do. Null if there is
-/// none.
-const HaloPath* haloNamed(std::string_view name);
+/// All of this name, whatever its capitals; its plural and "deg" for the degree sign will do. Empty if there is none.
+std::vector<const HaloPath*> halosNamed(std::string_view name);
 
+/// Each name once.
 std::vector<std::string_view> haloNames();
 
 }  // namespace parhelion

@@ -31,8 +31,8 @@ PathClass PathClasses::of(const PathCode::Words& words, int count) const {
   path.faces.insert(path.faces.end(), known.last.begin(), known.last.end());
   if (path.isLong) path.faces = {path.faces.front(), path.faces.back()};
   const auto comesBefore = [this](const std::vector<int>& a, const std::vector<int>& b) {
-    return std::ranges::lexicographical_compare(a, b, {}, [this](int face) { return rank_[face]; },
-                                                [this](int face) { return rank_[face]; });
+    return std::ranges::lexicographical_compare(
+        a, b, {}, [this](int face) { return rank_[face]; }, [this](int face) { return rank_[face]; });
   };
   std::vector<int> least = path.faces, image(path.faces.size());
   for (const std::vector<int>& images : images_) {

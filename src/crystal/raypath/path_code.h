@@ -12,9 +12,10 @@ namespace parhelion {
 /// them. Faces are indices into a mesh of `faces` faces.
 class PathCode {
  public:
-  explicit PathCode(int faces) : bits_(std::max(1, static_cast<int>(std::bit_width(static_cast<unsigned>(faces - 1))))) {}
+  explicit PathCode(int faces)
+      : bits_(std::max(1, static_cast<int>(std::bit_width(static_cast<unsigned>(faces - 1))))) {}
 
-  int bits() const { return bits_; }      // of a face
+  int bits() const { return bits_; }       // of a face
   int room() const { return 64 / bits_; }  // faces in a word
 
   struct Words {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <iterator>
 #include <utility>
 
 #include "crystal/raypath/halo_paths.h"
@@ -55,7 +56,9 @@ class PatternParser {
     skipSpaces();
     if (!takeName()) {
       pattern_.isInverted = takeWord("not");
+      skipSpaces();
       const bool hasChain = !atEnd() && !isSeparator(peek()) && !startsClause();
+      if (!hasChain && (atEnd() || isSeparator(peek()))) face();  // which complains
       setChain(hasChain ? chain(0) : anyChain());
     }
     skipSpaces();
@@ -66,6 +69,15 @@ class PatternParser {
       clause();
       skipSpaces();
       if (!atEnd() && !isSeparator(peek()) && !startsClause()) failAt("',' or the end should stand here");
+    }
+    // What clauses say holds for a halo in crystals of any stance.
+    for (PathPattern& other : pattern_.others) {
+      other.fewestHits = std::max(other.fewestHits, pattern_.fewestHits);
+      other.mostHits = std::min(other.mostHits, pattern_.mostHits);
+      if (!pattern_.entry.any) other.entry = pattern_.entry;
+      if (!pattern_.exit.any) other.exit = pattern_.exit;
+      other.populations = pattern_.populations;
+      if (saysSymmetry_) other.symmetry = pattern_.symmetry;
     }
     return std::move(pattern_);
   }
@@ -118,17 +130,16 @@ class PatternParser {
     std::size_t end = at_;
     while (end < text_.size() && !isSeparator(text_[end])) ++end;
     while (end > at_ && isSpace(text_[end - 1])) --end;
-    const HaloPath* halo = haloNamed(text_.substr(at_, end - at_));
-    if (!halo) return false;
-    const PathPattern known = parsePathPattern(halo->pattern);
-    pattern_.places = known.places;
-    pattern_.first = known.first;
-    pattern_.fewestHits = known.fewestHits;
-    pattern_.mostHits = known.mostHits;
-    pattern_.entry = known.entry;
-    pattern_.exit = known.exit;
-    pattern_.symmetry = known.symmetry;
-    pattern_.stances = halo->stances;
+    std::vector<PathPattern> known;
+    for (const HaloPath* halo : halosNamed(text_.substr(at_, end - at_))) {
+      known.push_back(parsePathPattern(halo->pattern));
+      known.back().stances = halo->stances;
+    }
+    if (known.empty()) return false;
+    std::string text = std::move(pattern_.text);
+    pattern_ = std::move(known.front());
+    pattern_.text = std::move(text);
+    pattern_.others.assign(std::make_move_iterator(known.begin() + 1), std::make_move_iterator(known.end()));
     at_ = end;
     return true;
   }
@@ -200,7 +211,8 @@ class PatternParser {
     skipSpaces();
     if (!atEnd() && isDigit(peek())) return {false, {faceNumber()}};
     const std::string_view name = word();
-    if (name.empty()) failAt("a face should stand here: a number, '?', '*', '(' or one of basal, prism, pyramid, upper, lower");
+    if (name.empty())
+      failAt("a face should stand here: a number, '?', '*', '(' or one of basal, prism, pyramid, upper, lower");
     for (const FaceClass& one : faceClasses())
       if (one.name == name) {
         at_ += name.size();
@@ -208,12 +220,15 @@ class PatternParser {
       }
     // Of a halo that is not known all of the words are the name.
     std::size_t end = at_;
-    while (end < text_.size() && !isSeparator(text_[end]) && std::string_view("|()-").find(text_[end]) == std::string_view::npos) ++end;
+    while (end < text_.size() && !isSeparator(text_[end]) &&
+           std::string_view("|()-").find(text_[end]) == std::string_view::npos)
+      ++end;
     while (end > at_ && isSpace(text_[end - 1])) --end;
     std::vector<std::string_view> accepted = haloNames();
     for (const FaceClass& one : faceClasses()) accepted.push_back(one.name);
     const std::string_view unknown = text_.substr(at_, end - at_);
-    failWith(unknown, "'" + std::string(unknown) + "' is neither a kind of face nor the name of a halo", std::move(accepted));
+    failWith(unknown, "'" + std::string(unknown) + "' is neither a kind of face nor the name of a halo",
+             std::move(accepted));
   }
 
   int number(int most, const char* what) {
@@ -269,8 +284,8 @@ class PatternParser {
     pattern_.fewestHits = pattern_.mostHits = number(kMostPatternHits, "the number of hits");
     if (!takeRange()) return;
     skipSpaces();
-    pattern_.mostHits = !atEnd() && isDigit(peek()) ? number(kMostPatternHits, "the number of hits")
-                                                    : std::numeric_limits<int>::max();
+    pattern_.mostHits =
+        !atEnd() && isDigit(peek()) ? number(kMostPatternHits, "the number of hits") : std::numeric_limits<int>::max();
     if (pattern_.mostHits < pattern_.fewestHits)
       throw PatternError(begin, at_ - begin, "the range of hits ends before it begins");
   }
@@ -311,14 +326,17 @@ class PatternParser {
     const auto found = memberNamed<PathSymmetry>(name);
     if (!found) {
       if (name.empty()) failAt("crystal, orientation or none should stand here");
-      failWith(name, "'" + std::string(name) + "' is none of crystal, orientation, none", acceptedNames<PathSymmetry>());
+      failWith(name, "'" + std::string(name) + "' is none of crystal, orientation, none",
+               acceptedNames<PathSymmetry>());
     }
     pattern_.symmetry = *found;
+    saysSymmetry_ = true;
     at_ += name.size();
   }
 
   std::string_view text_;
   std::size_t at_ = 0;
+  bool saysSymmetry_ = false;
   PathPattern pattern_;
 };
 

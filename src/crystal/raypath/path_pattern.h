@@ -80,6 +80,7 @@ struct PathPattern {
   FaceChoice entry, exit;
   std::vector<std::string> populations;  // empty: all
   std::vector<Stance> stances;           // of the crystals that make a halo of this name; empty: all
+  std::vector<PathPattern> others;       // of the same halo in crystals of other stances
   PathSymmetry symmetry = PathSymmetry::orientation;
 
   bool operator==(const PathPattern& other) const { return text == other.text; }

@@ -8,8 +8,8 @@
 
 namespace parhelion {
 
-/// What the isometries of a symmetry do to the faces of a crystal: face i goes to face images[i]. The identity is first.
-/// Crystals with a symmetry of their own that is not part of the hexagonal prism's have it ignored.
+/// What the isometries of a symmetry do to the faces of a crystal: face i goes to face images[i]. The identity is
+/// first. Crystals with a symmetry of their own that is not part of the hexagonal prism's have it ignored.
 std::vector<std::vector<int>> pathSymmetries(const CrystalMesh& mesh, const OrientationSettings& orientation,
                                              PathSymmetry symmetry);
 

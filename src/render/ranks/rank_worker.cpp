@@ -22,7 +22,7 @@ class RankWorker {
       : ranks_(ranks),
         loaded_(parseScene(task.scene, "the scene of rank 0")),
         cloud_(std::holds_alternative<SkyMeasurement>(task.measurement) ? cloudOf(loaded_.scene)
-                                                                         : cloudByLight(loaded_.scene)),
+                                                                        : cloudByLight(loaded_.scene)),
         sums_(emptySums(task.measurement)),
         tracer_(cloud_, chosenSettings(cloud_, loaded_.scene.trace), sums_->film(), threadsOf(task, ranks), task.simd) {
   }
