@@ -197,6 +197,7 @@ TEST_CASE("a picture that is its own mirror image holds the same light as one fr
     REQUIRE_FALSE(Camera(turned.camera).isMirrorSymmetric());
     const auto radiance = [](int bin) { return 1.0 + std::sin(0.01 * bin); };
     const Tally folded = spread(skyOf(i, radiance), i), whole = spread(skyOf(turned, radiance), turned);
+    // The turn may tip the decision whether to split a pixel: then it is as good as the accuracy of both.
     double brightest = 0.0;
     for (int p = 0; p < whole.pixels(); ++p) brightest = std::max(brightest, whole.luminance(p));
     for (int p = 0; p < whole.pixels(); ++p)
