@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "beam/angle_bins.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace parhelion {
+
+void AngleBins::addTriangle(const double* angle, const double* density) {
+  // Corners by their place in the bins, rising.
+  double place[3], light[3];
+  for (int k = 0; k < 3; ++k) {
+    place[k] = (angle[k] - from_) * perBin_;
+    light[k] = density[k] * (1.0 / 3.0);
+  }
+  const auto order = [&](int a, int b) {
+    if (place[b] < place[a]) {
+      std::swap(place[a], place[b]);
+      std::swap(light[a], light[b]);
+    }
+  };
+  order(0, 1);
+  order(1, 2);
+  order(0, 1);
+  const double all = light[0] + light[1] + light[2];
+  if (place[2] < 0.0 || place[0] > size()) return;
+  const double last = size() - 1.0;
+  const double first = std::floor(std::max(place[0], 0.0)), end = std::min(std::floor(place[2]), last);
+  if (first >= end) {
+    // The range may still reach beyond the first or the last bin.
+    if (place[0] >= first && place[2] <= end + 1.0) {
+      light_[static_cast<std::size_t>(std::min(first, last))] += all;
+      return;
+    }
+  }
+  const double whole = place[2] - place[0], rise = place[1] - place[0], fall = place[2] - place[1];
+  // Light below x: a smaller triangle at the lowest corner, or all but one at the highest. Its mean density is that of
+  // the corner and of the two places where x cuts the edges.
+  const double upTo1 = rise > 0.0 ? (light[1] - light[0]) / rise : 0.0, upTo2 = (light[2] - light[0]) / whole,
+               downTo1 = fall > 0.0 ? (light[1] - light[2]) / fall : 0.0;
+  const auto below = [&](double x) {
+    if (x <= place[0]) return 0.0;
+    if (x >= place[2]) return all;
+    if (x < place[1]) {
+      const double t = x - place[0];
+      return t * t / (rise * whole) * (3.0 * light[0] + t * (upTo1 + upTo2));
+    }
+    const double t = place[2] - x;
+    return all - t * t / (fall * whole) * (3.0 * light[2] + t * (downTo1 - upTo2));
+  };
+  double before = below(first);
+  for (double bin = first; bin <= end; bin += 1.0) {
+    const double behind = below(bin + 1.0);
+    light_[static_cast<std::size_t>(bin)] += behind - before;
+    before = behind;
+  }
+}
+
+}  // namespace parhelion

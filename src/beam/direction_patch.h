@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "beam/angle_bins.h"
+#include "beam/ice_light.h"
+#include "beam/prism_tracer.h"
+
+namespace parhelion {
+
+/// A prism of one length, and its share of all crystals' surface.
+struct PrismShare {
+  double length, share;
+};
+
+/// Randomly oriented prisms of one cross-section, and the light that they are in.
+struct ScatterScene {
+  PrismSection section;
+  std::vector<PrismShare> prisms;  // shares add up to 1
+  IceLight light;
+};
+
+/// Directions of light in the crystal's frame, from azimuths phi0 to phi1 and angles zeta0 to zeta1 from -c (rad).
+struct PatchBounds {
+  double phi0, phi1, zeta0, zeta1;
+
+  double area() const { return (phi1 - phi0) * (zeta1 - zeta0); }
+};
+
+/// Sums over directions, in the units of shadows times solid angle.
+struct ScatterTotals {
+  double intercepted = 0.0, external = 0.0, undeviated = 0.0, cosine = 0.0, path = 0.0, cutOff = 0.0;
+  std::array<double, PrismLight::kOrdersTold> byOrder{};
+
+  void add(const ScatterTotals& other, double factor);
+};
+
+/// Light of all directions of a patch in randomly oriented prisms: traced at the nodes of a grid, linear between them.
+class DirectionPatch {
+ public:
+  static constexpr int kCells = 16;  // along each side; even
+
+  /// Light of less than `cutShare` is not cut up (PrismTracer). `detailed`: totals have path and orders, too. The scene
+  /// must outlive this.
+  DirectionPatch(const ScatterScene& scene, double cutShare, bool detailed);
+
+  /// The light of a patch over the scattering angle, undeviated light apart.
+  struct Bins {
+    AngleBins fine;    // from all nodes
+    AngleBins coarse;  // from every second one
+    AngleBins other;   // the latter with other samples of continuous light; of lines the same
+  };
+
+  /// Traces the light of a patch and adds it to bins. Of continuous light each patch has samples of its own by its
+  /// `number`.
+  void add(const PatchBounds& bounds, int number, Bins& bins);
+
+  /// The sums over the patch, from every `step`th node.
+  ScatterTotals totals(int step) const;
+
+ private:
+  static constexpr int kSide = kCells + 1, kNodes = kSide * kSide;
+  static constexpr int kInside = kPrismFaces * kPrismElements * kPrismFaces;  // classes; those of the outside follow
+  using Four = Lanes<4>::Real;
+  static constexpr int kRoom = (kNodes + 3) / 4 * 4;
+  using Row = std::array<double, kRoom>;
+
+  /// What meets the exit face at each node, per azimuth and angle from c; for each index that is traced.
+  struct Class {
+    int number;
+    std::vector<Row> met;
+  };
+  /// The same for one index, and what becomes of it.
+  struct Seen {
+    Row energy, density, angle, excess, cosine;
+  };
+  /// A corner of a triangle.
+  struct Corner {
+    double phi, zeta, energy, density, angle, excess;
+  };
+  /// The class and the index whose triangles are being added.
+  struct Exit {
+    int number;
+    double index;
+  };
+
+  Class& classOf(int number);
+  void traceNode(int node);
+  void traceLight(int node, const Triple<double>& lightDir, double perAngles, std::size_t tracer);
+  void addClass(const Class& c, double start, Bins& bins);
+  void see(const Class& c, const IceLight::Sample& sample);
+  void count(const Class& c);
+  bool isWeak() const;
+  void addTriangles(AngleBins& bins, const Exit& exit, int step) const;
+  void addTriangle(AngleBins& bins, const Exit& exit, const Corner& a, const Corner& b, const Corner& c, double area,
+                   int depth) const;
+  Corner corner(int row, int column) const;
+
+  const ScatterScene& scene_;
+  std::vector<PrismTracer> tracers_;  // by prism, and in each by index
+  PrismLight light_;
+  PatchBounds bounds_{};
+  std::array<Row, 3> lightDir_;
+  std::array<ScatterTotals, kNodes> totals_;
+  std::array<int, kInside + kPrismFaces> slot_;
+  std::vector<Class> classes_;
+  int used_ = 0;              // of classes_
+  double intercepted_ = 0.0;  // by the patch
+  Seen seen_;
+  std::vector<IceLight::Sample> samples_;
+};
+
+}  // namespace parhelion

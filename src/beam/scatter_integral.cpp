@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "beam/scatter_integral.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "math/portable.h"
+#include "parallel/loops.h"
+
+namespace parhelion {
+
+namespace {
+
+// A regular hexagonal prism looks the same under 24 isometries: a sixth of a right angle of azimuth, and one side of
+// the basal plane, stand for all directions. Others have mirror planes only at their ends.
+constexpr double kRegularWidth = kPi / 6.0;
+// Where side faces come to light or turn dark, at odd multiples of 30 degrees, patches end.
+constexpr int kZetaPatches = 6;
+
+// Patches that are made at a time: as many hold their bins in memory.
+constexpr std::size_t kAtATime = 64;
+// A patch is not parted more often than this: it is then 2e-4 degrees between nodes.
+constexpr int kMostDepth = 12;
+// Bins with less light than this share of what they had if it were spread evenly are not refined for their own sake.
+constexpr double kDimmest = 1e-4;
+
+// Of what a mesh of half as many nodes differs by: where it errs the same way everywhere, a third is left; where signs
+// are mixed, errors add up as squares.
+constexpr double kSystematic = 1.0 / 3.0, kMixed = 0.6;
+// A bin's error is told with that of so many to either side.
+constexpr std::size_t kBeside = 2;
+
+struct Patch {
+  PatchBounds bounds;
+  int depth = 0;
+};
+
+/// What a patch brings, and what half as many nodes would bring more.
+struct PatchLight {
+  std::vector<double> light, excess;
+  std::vector<double> sampled;  // what other samples of continuous light would bring more; empty for lines
+  ScatterTotals totals, coarse;
+};
+
+bool isRegular(const PrismSection& section) {
+  return std::ranges::all_of(section.distance, [&](double d) { return d == section.distance.front(); });
+}
+
+std::vector<Patch> firstPatches(const PrismSection& section) {
+  const double width = isRegular(section) ? kRegularWidth : 2.0 * kPi;
+  const int columns = isRegular(section) ? 2 : 24;
+  std::vector<Patch> patches;
+  for (int row = 0; row < kZetaPatches; ++row)
+    for (int column = 0; column < columns; ++column)
+      patches.push_back({{width * column / columns, width * (column + 1) / columns, 0.5 * kPi * row / kZetaPatches,
+                          0.5 * kPi * (row + 1) / kZetaPatches}});
+  return patches;
+}
+
+std::array<Patch, 4> quarters(const Patch& patch) {
+  const auto [phi0, phi1, zeta0, zeta1] = patch.bounds;
+  const double phi = 0.5 * (phi0 + phi1), zeta = 0.5 * (zeta0 + zeta1);
+  const int depth = patch.depth + 1;
+  return {{{{phi0, phi, zeta0, zeta}, depth},
+           {{phi, phi1, zeta0, zeta}, depth},
+           {{phi0, phi, zeta, zeta1}, depth},
+           {{phi, phi1, zeta, zeta1}, depth}}};
+}
+
+class Integration {
+ public:
+  Integration(const ScatterScene& scene, const ScatterAccuracy& accuracy, int bins, double from, double to)
+      : scene_(scene), accuracy_(accuracy), bins_(bins), from_(from), to_(to) {
+    const auto size = static_cast<std::size_t>(bins);
+    sum_.assign(size, 0.0);
+    systematic_.assign(size, 0.0);
+    mixed_.assign(size, 0.0);
+  }
+
+  ScatterIntegral run() {
+    std::vector<Patch> todo = firstPatches(scene_.section);
+    for (const Patch& patch : todo) area_ += patch.bounds.area();
+    std::vector<PatchLight> made = make(todo);
+    expect(made);
+    while (!todo.empty()) {
+      std::vector<Patch> next;
+      for (std::size_t k = 0; k < made.size(); ++k) take(todo[k], made[k], next);
+      next.insert(next.end(), todo.begin() + static_cast<std::ptrdiff_t>(made.size()), todo.end());
+      todo = std::move(next);
+      made = make(todo);
+    }
+    return result();
+  }
+
+ private:
+  /// The light of the first patches, as many as are made at a time.
+  std::vector<PatchLight> make(const std::vector<Patch>& patches) {
+    std::vector<PatchLight> made(std::min(patches.size(), kAtATime));
+    forEach(made.size(), [&](std::size_t k) {
+      DirectionPatch patch(scene_, accuracy_.cutShare, accuracy_.detailed);
+      const AngleBins none(bins_, from_, to_);
+      DirectionPatch::Bins bins{none, none, none};
+      patch.add(patches[k].bounds, result_.patches + static_cast<int>(k), bins);
+      std::vector<double>&fine = bins.fine.light(), &coarse = bins.coarse.light(), &other = bins.other.light();
+      for (std::size_t bin = 0; bin < fine.size(); ++bin) {
+        other[bin] -= coarse[bin];
+        coarse[bin] -= fine[bin];
+      }
+      if (!scene_.light.isContinuous()) other.clear();
+      made[k] = {std::move(fine), std::move(coarse), std::move(other), patch.totals(1), patch.totals(2)};
+    });
+    result_.patches += static_cast<int>(made.size());
+    return made;
+  }
+
+  /// What the bins will hold, more or less.
+  void expect(const std::vector<PatchLight>& made) {
+    expected_.assign(sum_.size(), 0.0);
+    double intercepted = 0.0;
+    for (const PatchLight& patch : made) {
+      for (std::size_t bin = 0; bin < expected_.size(); ++bin) expected_[bin] += patch.light[bin];
+      intercepted += patch.totals.intercepted;
+    }
+    const double width = (to_ - from_) / bins_;
+    for (std::size_t bin = 0; bin < expected_.size(); ++bin) {
+      const double angle = from_ + (static_cast<double>(bin) + 0.5) * width;
+      const double even = 0.5 * portable::sin(angle) * width * intercepted;
+      expected_[bin] = std::max(expected_[bin], kDimmest * even);
+    }
+  }
+
+  void take(const Patch& patch, const PatchLight& made, std::vector<Patch>& next) {
+    double squares = 0.0;
+    for (std::size_t bin = 0; bin < sum_.size(); ++bin) {
+      const double relative = made.excess[bin] / expected_[bin];
+      squares += relative * relative;
+    }
+    const double allowed = accuracy_.error * accuracy_.error * static_cast<double>(bins_) * patch.bounds.area() / area_;
+    if (kMixed * kMixed * squares > allowed) {
+      if (patch.depth < kMostDepth) {
+        for (const Patch& quarter : quarters(patch)) next.push_back(quarter);
+        return;
+      }
+      result_.reached = false;
+    }
+    for (std::size_t bin = 0; bin < sum_.size(); ++bin) {
+      sum_[bin] += made.light[bin];
+      systematic_[bin] += made.excess[bin];
+      mixed_[bin] += made.excess[bin] * made.excess[bin];
+    }
+    for (std::size_t bin = 0; bin < made.sampled.size(); ++bin) mixed_[bin] += made.sampled[bin] * made.sampled[bin];
+    // Sums are smooth: their error falls with the square of the distance of nodes.
+    totals_.add(made.totals, 4.0 / 3.0);
+    totals_.add(made.coarse, -1.0 / 3.0);
+  }
+
+  ScatterIntegral result() {
+    const double per = 1.0 / totals_.intercepted;
+    std::vector<double> squares;
+    for (std::size_t bin = 0; bin < sum_.size(); ++bin) {
+      result_.light.push_back(per * sum_[bin]);
+      const double systematic = kSystematic * systematic_[bin];
+      squares.push_back(systematic * systematic + kMixed * kMixed * mixed_[bin]);
+    }
+    // Both meshes may agree by chance in one bin: it is not better than those beside it.
+    for (std::size_t bin = 0; bin < squares.size(); ++bin) {
+      const std::size_t first = bin < kBeside ? 0 : bin - kBeside, end = std::min(squares.size(), bin + kBeside + 1);
+      const double sum = std::accumulate(squares.begin() + static_cast<std::ptrdiff_t>(first),
+                                         squares.begin() + static_cast<std::ptrdiff_t>(end), 0.0);
+      result_.error.push_back(per * std::sqrt(std::max(squares[bin], sum / static_cast<double>(end - first))));
+    }
+    result_.totals.add(totals_, per);
+    // All directions have the solid angle of their patches.
+    double solidAngle = 0.0;
+    for (const Patch& patch : firstPatches(scene_.section)) {
+      const auto [phi0, phi1, zeta0, zeta1] = patch.bounds;
+      solidAngle += (phi1 - phi0) * (portable::cos(zeta0) - portable::cos(zeta1));
+    }
+    result_.totals.intercepted = totals_.intercepted / solidAngle;
+    result_.directions = static_cast<long>(result_.patches) * (DirectionPatch::kCells + 1) * (DirectionPatch::kCells + 1);
+    return std::move(result_);
+  }
+
+  const ScatterScene& scene_;
+  ScatterAccuracy accuracy_;
+  int bins_;
+  double from_, to_, area_ = 0.0;
+  std::vector<double> expected_, sum_, systematic_, mixed_;
+  ScatterTotals totals_;
+  ScatterIntegral result_;
+};
+
+}  // namespace
+
+ScatterIntegral integrateScatter(const ScatterScene& scene, const ScatterAccuracy& accuracy, int bins, double from,
+                                 double to) {
+  return Integration(scene, accuracy, bins, from, to).run();
+}
+
+}  // namespace parhelion

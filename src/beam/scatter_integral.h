@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "beam/direction_patch.h"
+
+namespace parhelion {
+
+/// How finely it is integrated.
+struct ScatterAccuracy {
+  /// Aimed at for the root of the mean squared relative error of all bins.
+  double error = 1e-3;
+  /// Of all light: what is below it is not cut up any more (PrismTracer).
+  double cutShare = 1e-5;
+  /// Whether the way inside and the light by order are wanted, too.
+  bool detailed = false;
+};
+
+/// Light over the scattering angle, integrated over all orientations. Bits do not depend on threads.
+struct ScatterIntegral {
+  std::vector<double> light;  // of each bin, as a share of all that is intercepted; undeviated light apart
+  std::vector<double> error;  // standard error of each, from what a mesh of half as many nodes differs by
+  ScatterTotals totals;       // shares of all intercepted light; that itself is the mean shadow
+  int patches = 0;
+  long directions = 0;  // traced
+  bool reached = true;  // the accuracy aimed at
+};
+
+/// Integrates over `bins` bins from `from` to `to` (rad).
+ScatterIntegral integrateScatter(const ScatterScene& scene, const ScatterAccuracy& accuracy, int bins, double from,
+                                 double to);
+
+}  // namespace parhelion
