@@ -10,18 +10,19 @@ set(may_crystal math)
 set(may_picture math)
 set(may_sky picture optics math)
 set(may_trace sky picture crystal optics math parallel)
+set(may_beam crystal optics math parallel)
 set(may_recon sky picture math parallel)
 set(may_photo sky picture math parallel)
 set(may_view sky picture optics math)
 set(may_scene sky picture crystal optics math)
 set(settings_scene trace recon)
-set(may_render scene trace recon photo view sky picture crystal optics math parallel)
+set(may_render scene trace beam recon photo view sky picture crystal optics math parallel)
 set(may_cli render scene view photo trace recon sky picture crystal optics math parallel)
 set(may_main cli render parallel)
 
 # Third-party header (a regular expression of the start of its name) and the folders in which it may appear.
 set(third_party
-  "glm/|math,optics,crystal,picture,sky,trace,recon,photo,view"
+  "glm/|math,optics,crystal,picture,sky,trace,beam,recon,photo,view"
   "sleef\\.h|math"
   "xxhash\\.h|math"
   "embree[34]/|trace"

@@ -54,9 +54,11 @@ void ScatterTotals::add(const ScatterTotals& other, double factor) {
 }
 
 DirectionPatch::DirectionPatch(const ScatterScene& scene, double cutShare, bool detailed) : scene_(scene) {
-  for (const PrismShare& prism : scene.prisms)
+  for (const PrismShare& prism : scene.prisms) {
+    perShadow_.push_back(4.0 * prism.share / scene.section.surface(prism.length));
     for (const double index : scene.light.nodes())
       tracers_.emplace_back(scene.section, prism.length, index, cutShare, detailed);
+  }
   slot_.fill(-1);
   classes_.reserve(kUsualClasses);
   for (Row& coordinate : lightDir_) coordinate.fill(0.5);  // behind the last node, too
@@ -100,7 +102,7 @@ void DirectionPatch::traceNode(int node) {
 
 void DirectionPatch::traceLight(int node, const Triple<double>& lightDir, double perAngles, std::size_t tracer) {
   const std::size_t indices = scene_.light.nodes().size(), n = tracer % indices;
-  const double share = scene_.prisms[tracer / indices].share * perAngles;  // of the prism, at this index
+  const double share = perShadow_[tracer / indices] * perAngles;  // of the prism, at this index
   const double ofAll = share * scene_.light.nodeShares()[n];
   ScatterTotals& totals = totals_[static_cast<std::size_t>(node)];
   tracers_[tracer].trace(Vec3(lightDir.x, lightDir.y, lightDir.z), light_);

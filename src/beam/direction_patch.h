@@ -29,7 +29,7 @@ struct PatchBounds {
   double area() const { return (phi1 - phi0) * (zeta1 - zeta0); }
 };
 
-/// Sums over directions, in the units of shadows times solid angle.
+/// Sums over directions, in the units of mean shadows times solid angle.
 struct ScatterTotals {
   double intercepted = 0.0, external = 0.0, undeviated = 0.0, cosine = 0.0, path = 0.0, cutOff = 0.0;
   std::array<double, PrismLight::kOrdersTold> byOrder{};
@@ -100,6 +100,7 @@ class DirectionPatch {
 
   const ScatterScene& scene_;
   std::vector<PrismTracer> tracers_;  // by prism, and in each by index
+  std::vector<double> perShadow_;     // of each prism: crystals, as one over their mean shadow
   PrismLight light_;
   PatchBounds bounds_{};
   std::array<Row, 3> lightDir_;

@@ -2,6 +2,7 @@
 #include "beam/prism_section.h"
 
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 
 #include <glm/geometric.hpp>
@@ -38,5 +39,9 @@ PrismSection::PrismSection(const std::array<double, 6>& distances) : distance(di
 
 PrismSection::PrismSection()
     : PrismSection({kHalfWidth, kHalfWidth, kHalfWidth, kHalfWidth, kHalfWidth, kHalfWidth}) {}
+
+double PrismSection::surface(double length) const {
+  return std::accumulate(side.begin(), side.end(), 0.0) * length + 2.0 * area;
+}
 
 }  // namespace parhelion

@@ -17,6 +17,9 @@ struct PrismSection {
   /// The regular hexagon of side 1.
   PrismSection();
 
+  /// Of a prism so long, both ends included.
+  double surface(double length) const;
+
   std::array<double, 6> distance;
   std::array<Vec2, 6> normal, tangent;  // outwards, and counter-clockwise along the face
   std::array<Vec2, 6> corner;           // number k lies between face k - 1 and face k, faces counted from 0

@@ -27,9 +27,11 @@ constexpr double kDimmest = 1e-4;
 
 // Of what a mesh of half as many nodes differs by: where it errs the same way everywhere, a third is left; where signs
 // are mixed, errors add up as squares.
-constexpr double kSystematic = 1.0 / 3.0, kMixed = 0.6;
+constexpr double kSystematic = 1.0 / 3.0, kMixed = 1.0;
+// The goal is met by this share of what both meshes differ by: errors of bins are then as large as the goal.
+constexpr double kOfGoal = 0.36;
 // A bin's error is told with that of so many to either side.
-constexpr std::size_t kBeside = 2;
+constexpr std::size_t kBeside = 5;
 
 struct Patch {
   PatchBounds bounds;
@@ -137,7 +139,7 @@ class Integration {
       squares += relative * relative;
     }
     const double allowed = accuracy_.error * accuracy_.error * static_cast<double>(bins_) * patch.bounds.area() / area_;
-    if (kMixed * kMixed * squares > allowed) {
+    if (kOfGoal * squares > allowed) {
       if (patch.depth < kMostDepth) {
         for (const Patch& quarter : quarters(patch)) next.push_back(quarter);
         return;
@@ -153,6 +155,8 @@ class Integration {
     // Sums are smooth: their error falls with the square of the distance of nodes.
     totals_.add(made.totals, 4.0 / 3.0);
     totals_.add(made.coarse, -1.0 / 3.0);
+    difference_.add(made.totals, 1.0 / 3.0);
+    difference_.add(made.coarse, -1.0 / 3.0);
   }
 
   ScatterIntegral result() {
@@ -171,6 +175,7 @@ class Integration {
       result_.error.push_back(per * std::sqrt(std::max(squares[bin], sum / static_cast<double>(end - first))));
     }
     result_.totals.add(totals_, per);
+    result_.totalsError.add(difference_, per);
     // All directions have the solid angle of their patches.
     double solidAngle = 0.0;
     for (const Patch& patch : firstPatches(scene_.section)) {
@@ -187,7 +192,7 @@ class Integration {
   int bins_;
   double from_, to_, area_ = 0.0;
   std::vector<double> expected_, sum_, systematic_, mixed_;
-  ScatterTotals totals_;
+  ScatterTotals totals_, difference_;
   ScatterIntegral result_;
 };
 

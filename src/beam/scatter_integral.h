@@ -21,7 +21,9 @@ struct ScatterAccuracy {
 struct ScatterIntegral {
   std::vector<double> light;  // of each bin, as a share of all that is intercepted; undeviated light apart
   std::vector<double> error;  // standard error of each, from what a mesh of half as many nodes differs by
-  ScatterTotals totals;       // shares of all intercepted light; that itself is the mean shadow
+  ScatterTotals totals;       // shares of all intercepted light; that itself over the mean shadow that a convex body
+                              // has, a quarter of its surface (Cauchy)
+  ScatterTotals totalsError;  // of totals, to either side, likewise
   int patches = 0;
   long directions = 0;  // traced
   bool reached = true;  // the accuracy aimed at

@@ -65,6 +65,14 @@ bool isError(std::string_view text) {
 
 }  // namespace
 
+CLI::Option* addErrorGoal(CLI::App& command, std::string& error, const std::string& description) {
+  return command.add_option("--error", error, description)
+      ->type_name("SHARE")
+      ->check(check("a share below 1, for one 1% or 0.01", isError));
+}
+
+double errorGoalIn(const std::string& error) { return *shareIn(error); }
+
 void LongRunOptions::addTo(CLI::App& command, Keeps keeps) {
   command
       .add_option("--slice", slice, "Trace one of n equal parts of the rays, for one 3/10; merge puts them together")
@@ -92,11 +100,7 @@ void LongRunOptions::addTo(CLI::App& command, Keeps keeps) {
         ->type_name("FILE");
     return;
   }
-  command
-      .add_option("--error", error,
-                  "Stop when the picture's mean relative error is so small, for one 1%; --rays is the most")
-      ->type_name("SHARE")
-      ->check(check("a share below 1, for one 1% or 0.01", isError));
+  addErrorGoal(command, error, "Stop when the picture's mean relative error is so small, for one 1%; --rays is the most");
 }
 
 std::string LongRunOptions::tallyFile() const {
@@ -128,6 +132,6 @@ RayRange LongRunOptions::wanted(std::uint64_t rays, int bundleSize, const RunOpt
 
 std::optional<double> LongRunOptions::interval() const { return secondsIn(checkpoint); }
 
-double LongRunOptions::goal() const { return error.empty() ? 0.0 : *shareIn(error); }
+double LongRunOptions::goal() const { return error.empty() ? 0.0 : errorGoalIn(error); }
 
 }  // namespace parhelion::cli

@@ -11,6 +11,10 @@
 
 namespace parhelion::cli {
 
+/// Adds --error SHARE, for one 1% or 0.01, and what it stands for.
+CLI::Option* addErrorGoal(CLI::App& command, std::string& error, const std::string& description);
+double errorGoalIn(const std::string& error);
+
 /// Which part of a run is to be traced, from where it goes on, and when it is written down or ends.
 struct LongRunOptions {
   std::string slice, rayRange;  // "2/10", "0:5M"; empty: all rays

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <array>
 #include <cstdio>
 
 #include <nlohmann/json.hpp>
@@ -8,11 +9,15 @@
 #include "cli/number_options.h"
 #include "cli/outputs.h"
 #include "cli/run_options.h"
+#include "cli/say.h"
 #include "cli/stats.h"
 #include "cli/tables.h"
 #include "cli/tally_input.h"
 #include "cli/text_output.h"
+#include "parallel/run_clock.h"
+#include "parallel/threads.h"
 #include "picture/memory_limit.h"
+#include "render/integrated_profile.h"
 #include "render/measured_sums.h"
 #include "render/measured_tally.h"
 #include "render/measurements.h"
@@ -28,12 +33,13 @@ struct ProfileOptions {
   int bins = 1800;
   double from = 0.0, to = 180.0;  // degrees
   std::string output = "-", summary;
+  std::string error;  // aimed at by the integral engine; empty: as chosen
 };
 
-std::string csv(const ScatterProfile& profile) {
+std::string csv(const std::vector<ScatterProfile::Bin>& bins) {
   std::string text = kProfileColumns + std::string("\n");
   char line[160];
-  for (const ScatterProfile::Bin& bin : profile.bins()) {
+  for (const ScatterProfile::Bin& bin : bins) {
     std::snprintf(line, sizeof line, "%.10g,%.10g,%.9g,%.4g,%.9g\n", tableDegrees(bin.from), tableDegrees(bin.to),
                   bin.energy, bin.error, bin.phase);
     text += line;
@@ -60,8 +66,61 @@ nlohmann::ordered_json json(const ScatterProfile::Summary& s) {
   return json;
 }
 
-int runProfile(const ProfileOptions& options, Tracers& tracers) {
+/// Options that are about rays.
+constexpr std::array kOfRays{"--rays",      "--seed",   "--sampler",    "--time", "--simd", "--slice",
+                             "--ray-range", "--resume", "--checkpoint", "--tally"};
+
+nlohmann::ordered_json statsOf(const IntegratedProfile& profile, double seconds, int threads) {
+  nlohmann::ordered_json json;
+  json["rays"] = 0;
+  json["hits"] = 0;
+  json["deposits"] = 0;
+  json["directions"] = profile.directions;
+  json["patches"] = profile.patches;
+  json["seconds"] = seconds;
+  json["cpu_seconds"] = processUsage().cpuSeconds;
+  json["rays_per_second"] = 0.0;
+  json["engine"] = nameOf(Engine::integral);
+  json["threads"] = threadCount(threads);
+  json["peak_memory_bytes"] = processUsage().peakMemory;
+  const double cutOff = profile.summary.cutOff;
+  json["energy"] = {{"in", 1.0}, {"out", 1.0 - cutOff}, {"absorbed", 0.0}, {"cut_off", cutOff}, {"lost", 0.0}};
+  json["reached"] = profile.reached;
+  return json;
+}
+
+int runIntegral(const ProfileOptions& options, const CLI::App& command, const Scene& scene) {
+  for (const char* option : kOfRays)
+    if (command.count(option) > 0) throw Unfit(option + std::string(": the integral engine follows no rays"));
+  if (const std::string objection = objectionToIntegral(scene); !objection.empty())
+    throw Unfit("engine integral: " + objection + "; rays can do it, with another engine, such as auto");
+  IntegralProfileSettings settings{options.bins, radians(options.from), radians(options.to)};
+  if (!options.error.empty()) settings.error = errorGoalIn(options.error);
+  settings.detailed = !options.summary.empty();
+  requireMemory("the profile", memoryToIntegrate(options.bins, options.run.threads));
+  Transaction outputs = claimOutputs({{options.run.scene}, {options.output, options.summary, options.run.stats}},
+                                     options.run.overwrite);
+  const RunClock clock;
+  const IntegratedProfile profile =
+      withThreads(options.run.threads, [&] { return integrateProfile(scene, settings); });
+  const double seconds = clock.seconds();
+  if (!options.run.quiet) {
+    say("%ld directions in %.2f s, %.3g a second", profile.directions, seconds, profile.directions / seconds);
+    say("energy: in 1 = out %.9f + cut off %.3g", 1.0 - profile.summary.cutOff, profile.summary.cutOff);
+  }
+  if (!profile.reached) say("warning: --error was not reached at the finest mesh; the table has the errors as they are");
+  writeText(outputs.at(options.output), csv(profile.bins));
+  if (!options.summary.empty()) writeJson(outputs.at(options.summary), json(profile.summary));
+  if (!options.run.stats.empty())
+    writeJson(outputs.at(options.run.stats), statsOf(profile, seconds, options.run.threads));
+  outputs.commit();
+  return kDone;
+}
+
+int runProfile(const ProfileOptions& options, const CLI::App& command, Tracers& tracers) {
   const LoadedScene loaded = options.run.load();
+  if (loaded.scene.trace.engine == Engine::integral) return runIntegral(options, command, loaded.scene);
+  if (!options.error.empty()) throw Unfit("--error: it is for --engine integral; rays take --rays or --time");
   const Cloud cloud = cloudByLight(loaded.scene);
   const TraceSettings settings = settingsOfMeasurement(cloud, loaded.scene.trace);
   const RayRange wanted = options.longRun.wanted(settings.rays, cloud.bundleSize(), options.run);
@@ -78,7 +137,7 @@ int runProfile(const ProfileOptions& options, Tracers& tracers) {
   if (!tally.empty()) run.writeSums(outputs.at(tally));
   if (!run.endsWithoutPicture()) {
     const ScatterProfile& profile = sums.tally().sums;
-    writeText(outputs.at(options.output), csv(profile));
+    writeText(outputs.at(options.output), csv(profile.bins()));
     if (!options.summary.empty()) writeJson(outputs.at(options.summary), json(profile.summary()));
   }
   run.writeStats(outputs);
@@ -91,7 +150,7 @@ int profileOfTally(const ProfileOptions& options) {
   requireMeasured(options.run, TallyKind::profile);
   Transaction outputs = claimOutputs({{options.run.scene}, {options.output, options.summary}}, options.run.overwrite);
   const ProfileTally tally = readProfileTally(options.run.scene);
-  writeText(outputs.at(options.output), csv(tally.sums));
+  writeText(outputs.at(options.output), csv(tally.sums.bins()));
   if (!options.summary.empty()) writeJson(outputs.at(options.summary), json(tally.sums.summary()));
   outputs.commit();
   return kDone;
@@ -113,15 +172,19 @@ void addProfile(CLI::App& app, int& exit, Tracers& tracers) {
   command->add_option("-o,--output", options->output, "CSV file; - for stdout")->type_name("FILE");
   command->add_option("--summary", options->summary, "JSON file of g, delta fraction, energy by order, mean path ...")
       ->type_name("FILE");
+  addErrorGoal(*command, options->error,
+               "With --engine integral: the relative error of bins to aim at, as the root of its mean square; 0.1% when "
+               "left out");
+  options->run.mayIntegrate = true;
   command->callback([options, command, &exit, &tracers] {
     if (isMeasuredTally(options->run.scene)) {
-      for (const char* bins : {"--bins", "--from", "--to"})
+      for (const char* bins : {"--bins", "--from", "--to", "--error"})
         if (command->count(bins) > 0) throw Unfit(bins + std::string(": the bins of a tally are what they are"));
       exit = profileOfTally(*options);
       return;
     }
     if (!(options->from < options->to)) throw CLI::ValidationError("--from must be less than --to");
-    exit = runProfile(*options, tracers);
+    exit = runProfile(*options, *command, tracers);
   });
 }
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "cli/commands.h"
 #include "cli/duration.h"
 #include "cli/number_options.h"
 #include "cli/outputs.h"
@@ -102,7 +103,7 @@ void RunOptions::addTracingTo(CLI::App& command, bool hasImage) {
       ->type_name("N")
       ->check(CLI::Validator(validRays, ""));
   command.add_option("--seed", seed, "Seed of the random numbers")->type_name("N")->transform(wholeNumber());
-  command.add_option("--engine", engine, "What finds the next face of a crystal")
+  command.add_option("--engine", engine, "What finds the next face of a crystal; integral follows no rays")
       ->type_name(choices<Engine>())
       ->check(nameOfOne<Engine>());
   command.add_option("--sampler", sampler, "Where the numbers come from that rays are drawn from")
@@ -145,7 +146,10 @@ LoadedScene RunOptions::load(const std::vector<std::string>& more) const {
   if (noGround) all.emplace_back("camera.horizon='cut'");
   all.insert(all.end(), more.begin(), more.end());
   if (!sceneText_) sceneText_ = sceneTextOf(scene);
-  return parseSceneOf(scene, *sceneText_, all);
+  LoadedScene loaded = parseSceneOf(scene, *sceneText_, all);
+  if (loaded.scene.trace.engine == Engine::integral && !mayIntegrate)
+    throw Unfit("engine integral: it makes profiles; all else takes rays, with another engine, such as auto");
+  return loaded;
 }
 
 }  // namespace parhelion::cli

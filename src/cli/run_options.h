@@ -29,6 +29,7 @@ struct RunOptions {
   std::string progress = "auto";  // "auto", "json"
   std::string stats;              // file for the run's figures; empty: none
   bool overwrite = false;         // files, too, that parhelion has not written
+  bool mayIntegrate = false;      // of commands that can do without rays
 
   /// Adds the scene argument and the options to a subcommand.
   void addTo(CLI::App& command, bool hasImage);
@@ -36,7 +37,8 @@ struct RunOptions {
   /// The same without the scene and the picture's size, for commands that get these in another way.
   void addTracingTo(CLI::App& command, bool hasImage);
 
-  /// The scene with all overrides applied, and then `more`. Throws SceneError.
+  /// The scene with all overrides applied, and then `more`. Throws SceneError, and Unfit for a scene to be integrated
+  /// where rays are needed.
   LoadedScene load(const std::vector<std::string>& more = {}) const;
 
  private:

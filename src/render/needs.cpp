@@ -87,6 +87,11 @@ std::uint64_t memoryToProfile(int bins, int threads) {
   return static_cast<std::uint64_t>(bins) * 125 + memoryOfWorkers(threads);
 }
 
+std::uint64_t memoryToIntegrate(int bins, int threads) {
+  // Three tables of bins for each of the patches that are made at a time, and a few more.
+  return static_cast<std::uint64_t>(bins) * (64 * 3 + 8) * 8 + memoryOfWorkers(threads);
+}
+
 std::uint64_t memoryToComposite(std::uint64_t pixels, std::uint64_t halo) {
   // The halo is made when the mask, a byte a pixel, is there, and long before the picture is written.
   return std::max(pixels * kCompositeBytes, pixels + halo);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <stdexcept>
 #include <variant>
 #include <vector>
 
@@ -37,7 +38,7 @@ struct EngineDevices {
 };
 
 /// The intersector of one mesh by an engine; the choice that is left falls on the planes where they can. Throws
-/// std::runtime_error when Embree fails.
+/// std::runtime_error when Embree fails, and std::invalid_argument for the integral engine.
 inline Intersector makeIntersector(Engine engine, const CrystalMesh& mesh, EngineDevices& devices) {
   switch (engine) {
     case Engine::embree:
@@ -46,6 +47,8 @@ inline Intersector makeIntersector(Engine engine, const CrystalMesh& mesh, Engin
       return EmbreeIntersector(devices.theEmbree(), mesh, EmbreeMode::robust);
     case Engine::planes:
       return PlanesIntersector(mesh);
+    case Engine::integral:
+      throw std::invalid_argument("the integral engine follows no rays");
     case Engine::automatic:
       break;
   }

@@ -9,8 +9,8 @@
 namespace parhelion {
 
 /// What finds the next face of a crystal: Embree, or the planes of a convex crystal's faces. `automatic` takes the
-/// planes wherever the crystal is convex.
-enum class Engine { embree, embreeRobust, planes, automatic };
+/// planes wherever the crystal is convex. `integral` follows no rays at all: see beam/.
+enum class Engine { embree, embreeRobust, planes, automatic, integral };
 
 constexpr std::string_view nameOf(Engine value) {
   switch (value) {
@@ -22,6 +22,8 @@ constexpr std::string_view nameOf(Engine value) {
       return "planes";
     case Engine::automatic:
       return "auto";
+    case Engine::integral:
+      return "integral";
   }
   return {};
 }
