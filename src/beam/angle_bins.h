@@ -17,7 +17,8 @@ class AngleBins {
   /// Adds light at one angle.
   void add(double angle, double light) {
     const double place = (angle - from_) * perBin_;
-    if (place >= 0.0 && place <= size()) light_[static_cast<std::size_t>(place < size() ? place : size() - 1.0)] += light;
+    if (place >= 0.0 && place <= size())
+      light_[static_cast<std::size_t>(place < size() ? place : size() - 1.0)] += light;
   }
 
   /// Adds the light of a triangle, across which both angle and density are linear, from their values at its corners.

@@ -155,7 +155,9 @@ void DirectionPatch::see(const Class& c, const IceLight::Sample& sample) {
   const bool outside = c.number >= kInside;
   const PrismClass of = classNumbered(c.number, kInside);
   const RelativeIndexOf<Four> index(all<Four>(sample.index));
-  const auto row = [&](int k) { return c.met[static_cast<std::size_t>(sample.node[static_cast<std::size_t>(k)])].data(); };
+  const auto row = [&](int k) {
+    return c.met[static_cast<std::size_t>(sample.node[static_cast<std::size_t>(k)])].data();
+  };
   for (std::size_t node = 0; node < kNodes; node += 4) {
     Four energy = sample.part[0] * load<Four>(row(0) + node);
     for (int k = 1; k < IceLight::kMixed; ++k)
@@ -222,7 +224,8 @@ void DirectionPatch::addTriangle(AngleBins& bins, const Exit& exit, const Corner
     const double phi = 0.5 * (p.phi + q.phi), zeta = 0.5 * (p.zeta + q.zeta), energy = 0.5 * (p.energy + q.energy);
     const Triple<double> s = lightDirAt(phi, zeta);
     const auto leaves = exitOf(false, classNumbered(exit.number, kInside), s, RelativeIndex(exit.index));
-    return Corner{phi, zeta, energy, energy * leaves.transmittance, angleBetweenUnit(s, leaves.lightDir), leaves.excess};
+    return Corner{phi,          zeta, energy, energy * leaves.transmittance, angleBetweenUnit(s, leaves.lightDir),
+                  leaves.excess};
   };
   const Corner ab = between(a, b), bc = between(b, c), ca = between(c, a);
   addTriangle(bins, exit, a, ab, ca, 0.25 * area, depth - 1);

@@ -5,36 +5,16 @@
 #include <vector>
 
 #include "beam/angle_bins.h"
-#include "beam/ice_light.h"
 #include "beam/prism_tracer.h"
+#include "beam/scatter_scene.h"
 
 namespace parhelion {
-
-/// A prism of one length, and its share of all crystals' surface.
-struct PrismShare {
-  double length, share;
-};
-
-/// Randomly oriented prisms of one cross-section, and the light that they are in.
-struct ScatterScene {
-  PrismSection section;
-  std::vector<PrismShare> prisms;  // shares add up to 1
-  IceLight light;
-};
 
 /// Directions of light in the crystal's frame, from azimuths phi0 to phi1 and angles zeta0 to zeta1 from -c (rad).
 struct PatchBounds {
   double phi0, phi1, zeta0, zeta1;
 
   double area() const { return (phi1 - phi0) * (zeta1 - zeta0); }
-};
-
-/// Sums over directions, in the units of mean shadows times solid angle.
-struct ScatterTotals {
-  double intercepted = 0.0, external = 0.0, undeviated = 0.0, cosine = 0.0, path = 0.0, cutOff = 0.0;
-  std::array<double, PrismLight::kOrdersTold> byOrder{};
-
-  void add(const ScatterTotals& other, double factor);
 };
 
 /// Light of all directions of a patch in randomly oriented prisms: traced at the nodes of a grid, linear between them.

@@ -33,7 +33,8 @@ IceLight IceLight::continuous(std::vector<double> indexAtShares) {
   for (std::size_t k = 0; k < light.continuous_.size(); ++k) {
     const double weight = (k == 0 || k + 1 == light.continuous_.size() ? 0.5 : 1.0) / last;
     const Sample sample = light.between(light.continuous_[k], weight);
-    for (int j = 0; j < kMixed; ++j) light.nodeShares_[static_cast<std::size_t>(sample.node[j])] += weight * sample.part[j];
+    for (int j = 0; j < kMixed; ++j)
+      light.nodeShares_[static_cast<std::size_t>(sample.node[j])] += weight * sample.part[j];
   }
   return light;
 }

@@ -52,9 +52,9 @@ struct PrismLight {
 /// Outward unit normal of a face.
 constexpr Triple<double> normalOfPrismFace(int face) {
   constexpr double kWide = 0.86602540378443864676;
-  constexpr Triple<double> kNormals[kPrismFaces] = {{1.0, 0.0, 0.0},    {0.5, kWide, 0.0},  {-0.5, kWide, 0.0},
-                                                    {-1.0, 0.0, 0.0},   {-0.5, -kWide, 0.0}, {0.5, -kWide, 0.0},
-                                                    {0.0, 0.0, 1.0},    {0.0, 0.0, -1.0}};
+  constexpr Triple<double> kNormals[kPrismFaces] = {{1.0, 0.0, 0.0},  {0.5, kWide, 0.0},   {-0.5, kWide, 0.0},
+                                                    {-1.0, 0.0, 0.0}, {-0.5, -kWide, 0.0}, {0.5, -kWide, 0.0},
+                                                    {0.0, 0.0, 1.0},  {0.0, 0.0, -1.0}};
   return kNormals[face];
 }
 

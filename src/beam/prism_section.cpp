@@ -37,8 +37,7 @@ PrismSection::PrismSection(const std::array<double, 6>& distances) : distance(di
   if (!(area > 0.0)) throw std::invalid_argument("the faces of a prism enclose nothing");
 }
 
-PrismSection::PrismSection()
-    : PrismSection({kHalfWidth, kHalfWidth, kHalfWidth, kHalfWidth, kHalfWidth, kHalfWidth}) {}
+PrismSection::PrismSection() : PrismSection({kHalfWidth, kHalfWidth, kHalfWidth, kHalfWidth, kHalfWidth, kHalfWidth}) {}
 
 double PrismSection::surface(double length) const {
   return std::accumulate(side.begin(), side.end(), 0.0) * length + 2.0 * area;

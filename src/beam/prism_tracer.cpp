@@ -38,8 +38,7 @@ double meanAbove(double y0, double y1) {
 
 }  // namespace
 
-PrismTracer::PrismTracer(const PrismSection& section, double length, double index, double cutShare,
-                         bool detailed)
+PrismTracer::PrismTracer(const PrismSection& section, double length, double index, double cutShare, bool detailed)
     : section_(section), length_(length), index_(index), cutShare_(cutShare), detailed_(detailed) {}
 
 void PrismTracer::trace(const Vec3& lightDir, PrismLight& light) {

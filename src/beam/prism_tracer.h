@@ -39,7 +39,7 @@ class PrismTracer {
   /// Light after reflections that come to one element.
   struct Direction {
     std::array<Side, 6> side;
-    int firstExit, exits;  // successive sides that it runs to: three, or two where it runs along the third
+    int firstExit, exits;          // successive sides that it runs to: three, or two where it runs along the third
     std::array<double, 6> corner;  // w of the section's corners; rising along the sides that it runs to
 
     /// Way from side to side at w, not negative by rounding.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "beam/direction_patch.h"
 #include "math/portable.h"
 #include "parallel/loops.h"
 
@@ -30,6 +31,8 @@ constexpr double kDimmest = 1e-4;
 constexpr double kSystematic = 1.0 / 3.0, kMixed = 1.0;
 // The goal is met by this share of what both meshes differ by: errors of bins are then as large as the goal.
 constexpr double kOfGoal = 0.36;
+// Mean cosine and mean way are aimed at with this share of the bins' error.
+constexpr double kBetter = 0.1;
 // A bin's error is told with that of so many to either side.
 constexpr std::size_t kBeside = 5;
 
@@ -37,6 +40,8 @@ struct Patch {
   PatchBounds bounds;
   int depth = 0;
 };
+
+double square(double x) { return x * x; }
 
 /// What a patch brings, and what half as many nodes would bring more.
 struct PatchLight {
@@ -119,15 +124,15 @@ class Integration {
   /// What the bins will hold, more or less.
   void expect(const std::vector<PatchLight>& made) {
     expected_.assign(sum_.size(), 0.0);
-    double intercepted = 0.0;
     for (const PatchLight& patch : made) {
       for (std::size_t bin = 0; bin < expected_.size(); ++bin) expected_[bin] += patch.light[bin];
-      intercepted += patch.totals.intercepted;
+      intercepted_ += patch.totals.intercepted;
+      path_ += patch.totals.path;
     }
     const double width = (to_ - from_) / bins_;
     for (std::size_t bin = 0; bin < expected_.size(); ++bin) {
       const double angle = from_ + (static_cast<double>(bin) + 0.5) * width;
-      const double even = 0.5 * portable::sin(angle) * width * intercepted;
+      const double even = 0.5 * portable::sin(angle) * width * intercepted_;
       expected_[bin] = std::max(expected_[bin], kDimmest * even);
     }
   }
@@ -138,6 +143,9 @@ class Integration {
       const double relative = made.excess[bin] / expected_[bin];
       squares += relative * relative;
     }
+    // The sums over all light are to be so much better than bins.
+    squares += bins_ * (square(made.totals.cosine - made.coarse.cosine) / square(kBetter * intercepted_) +
+                        (path_ > 0.0 ? square(made.totals.path - made.coarse.path) / square(kBetter * path_) : 0.0));
     const double allowed = accuracy_.error * accuracy_.error * static_cast<double>(bins_) * patch.bounds.area() / area_;
     if (kOfGoal * squares > allowed) {
       if (patch.depth < kMostDepth) {
@@ -155,8 +163,10 @@ class Integration {
     // Sums are smooth: their error falls with the square of the distance of nodes.
     totals_.add(made.totals, 4.0 / 3.0);
     totals_.add(made.coarse, -1.0 / 3.0);
-    difference_.add(made.totals, 1.0 / 3.0);
-    difference_.add(made.coarse, -1.0 / 3.0);
+    difference_.add(made.totals, 1.0);
+    difference_.add(made.coarse, -1.0);
+    cosineSquares_ += square(made.totals.cosine - made.coarse.cosine);
+    pathSquares_ += square(made.totals.path - made.coarse.path);
   }
 
   ScatterIntegral result() {
@@ -175,7 +185,8 @@ class Integration {
       result_.error.push_back(per * std::sqrt(std::max(squares[bin], sum / static_cast<double>(end - first))));
     }
     result_.totals.add(totals_, per);
-    result_.totalsError.add(difference_, per);
+    result_.gError = per * std::max(kSystematic * std::abs(difference_.cosine), std::sqrt(cosineSquares_));
+    result_.pathError = per * std::max(kSystematic * std::abs(difference_.path), std::sqrt(pathSquares_));
     // All directions have the solid angle of their patches.
     double solidAngle = 0.0;
     for (const Patch& patch : firstPatches(scene_.section)) {
@@ -183,7 +194,8 @@ class Integration {
       solidAngle += (phi1 - phi0) * (portable::cos(zeta0) - portable::cos(zeta1));
     }
     result_.totals.intercepted = totals_.intercepted / solidAngle;
-    result_.directions = static_cast<long>(result_.patches) * (DirectionPatch::kCells + 1) * (DirectionPatch::kCells + 1);
+    result_.directions =
+        static_cast<long>(result_.patches) * (DirectionPatch::kCells + 1) * (DirectionPatch::kCells + 1);
     return std::move(result_);
   }
 
@@ -193,6 +205,8 @@ class Integration {
   double from_, to_, area_ = 0.0;
   std::vector<double> expected_, sum_, systematic_, mixed_;
   ScatterTotals totals_, difference_;
+  double intercepted_ = 0.0, path_ = 0.0;  // by the first patches
+  double cosineSquares_ = 0.0, pathSquares_ = 0.0;
   ScatterIntegral result_;
 };
 

@@ -3,14 +3,14 @@
 
 #include <vector>
 
-#include "beam/direction_patch.h"
+#include "beam/scatter_scene.h"
 
 namespace parhelion {
 
 /// How finely it is integrated.
 struct ScatterAccuracy {
   /// Aimed at for the root of the mean squared relative error of all bins.
-  double error = 1e-3;
+  double error = 0.01;
   /// Of all light: what is below it is not cut up any more (PrismTracer).
   double cutShare = 1e-5;
   /// Whether the way inside and the light by order are wanted, too.
@@ -23,7 +23,7 @@ struct ScatterIntegral {
   std::vector<double> error;  // standard error of each, from what a mesh of half as many nodes differs by
   ScatterTotals totals;       // shares of all intercepted light; that itself over the mean shadow that a convex body
                               // has, a quarter of its surface (Cauchy)
-  ScatterTotals totalsError;  // of totals, to either side, likewise
+  double gError = 0.0, pathError = 0.0;  // standard errors of the mean cosine and of the way
   int patches = 0;
   long directions = 0;  // traced
   bool reached = true;  // the accuracy aimed at

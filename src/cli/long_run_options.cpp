@@ -100,7 +100,8 @@ void LongRunOptions::addTo(CLI::App& command, Keeps keeps) {
         ->type_name("FILE");
     return;
   }
-  addErrorGoal(command, error, "Stop when the picture's mean relative error is so small, for one 1%; --rays is the most");
+  addErrorGoal(command, error,
+               "Stop when the picture's mean relative error is so small, for one 1%; --rays is the most");
 }
 
 std::string LongRunOptions::tallyFile() const {

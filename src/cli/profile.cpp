@@ -67,8 +67,8 @@ nlohmann::ordered_json json(const ScatterProfile::Summary& s) {
 }
 
 /// Options that are about rays.
-constexpr std::array kOfRays{"--rays",      "--seed",   "--sampler",    "--time", "--simd", "--slice",
-                             "--ray-range", "--resume", "--checkpoint", "--tally"};
+constexpr std::array kOfRays{"--rays",  "--seed",      "--sampler", "--time",       "--simd",
+                             "--slice", "--ray-range", "--resume",  "--checkpoint", "--tally"};
 
 nlohmann::ordered_json statsOf(const IntegratedProfile& profile, double seconds, int threads) {
   nlohmann::ordered_json json;
@@ -98,17 +98,17 @@ int runIntegral(const ProfileOptions& options, const CLI::App& command, const Sc
   if (!options.error.empty()) settings.error = errorGoalIn(options.error);
   settings.detailed = !options.summary.empty();
   requireMemory("the profile", memoryToIntegrate(options.bins, options.run.threads));
-  Transaction outputs = claimOutputs({{options.run.scene}, {options.output, options.summary, options.run.stats}},
-                                     options.run.overwrite);
+  Transaction outputs =
+      claimOutputs({{options.run.scene}, {options.output, options.summary, options.run.stats}}, options.run.overwrite);
   const RunClock clock;
-  const IntegratedProfile profile =
-      withThreads(options.run.threads, [&] { return integrateProfile(scene, settings); });
+  const IntegratedProfile profile = withThreads(options.run.threads, [&] { return integrateProfile(scene, settings); });
   const double seconds = clock.seconds();
   if (!options.run.quiet) {
     say("%ld directions in %.2f s, %.3g a second", profile.directions, seconds, profile.directions / seconds);
     say("energy: in 1 = out %.9f + cut off %.3g", 1.0 - profile.summary.cutOff, profile.summary.cutOff);
   }
-  if (!profile.reached) say("warning: --error was not reached at the finest mesh; the table has the errors as they are");
+  if (!profile.reached)
+    say("warning: --error was not reached at the finest mesh; the table has the errors as they are");
   writeText(outputs.at(options.output), csv(profile.bins));
   if (!options.summary.empty()) writeJson(outputs.at(options.summary), json(profile.summary));
   if (!options.run.stats.empty())
@@ -173,7 +173,7 @@ void addProfile(CLI::App& app, int& exit, Tracers& tracers) {
   command->add_option("--summary", options->summary, "JSON file of g, delta fraction, energy by order, mean path ...")
       ->type_name("FILE");
   addErrorGoal(*command, options->error,
-               "With --engine integral: the relative error of bins to aim at, as the root of its mean square; 0.1% when "
+               "With --engine integral: the relative error of bins to aim at, as the root of its mean square; 1% when "
                "left out");
   options->run.mayIntegrate = true;
   command->callback([options, command, &exit, &tracers] {

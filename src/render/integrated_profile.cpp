@@ -35,7 +35,8 @@ std::vector<double> indicesAtShares(const Spectrum& spectrum, const IceSettings&
     const double wanted = light.back() * k / kIndexNodes;
     while (cell + 1 < wavelengths.size() && light[cell + 1] < wanted) ++cell;
     // Within a cell, from half-way before its wavelength to half-way behind.
-    const double before = wavelengths[cell == 0 ? 0 : cell - 1], behind = wavelengths[std::min(cell + 1, wavelengths.size() - 1)];
+    const double before = wavelengths[cell == 0 ? 0 : cell - 1],
+                 behind = wavelengths[std::min(cell + 1, wavelengths.size() - 1)];
     const double t = std::clamp((wanted - light[cell]) / (light[cell + 1] - light[cell]), 0.0, 1.0);
     const double from = 0.5 * (before + wavelengths[cell]), to = 0.5 * (wavelengths[cell] + behind);
     indices.push_back(refractiveIndex(ice, from + t * (to - from)));
@@ -49,13 +50,15 @@ IceLight iceLightOf(const Scene& scene) {
     return IceLight::continuous(indicesAtShares(spectrum, scene.ice));
   if (const auto* mixture = std::get_if<IceMixture>(&scene.ice)) {
     std::vector<IndexShare> all;
-    for (const double index : mixture->indices) all.push_back({index, 1.0 / static_cast<double>(mixture->indices.size())});
+    for (const double index : mixture->indices)
+      all.push_back({index, 1.0 / static_cast<double>(mixture->indices.size())});
     return IceLight(all);
   }
   if (const auto* constant = std::get_if<ConstantIce>(&scene.ice)) return IceLight({{constant->index, 1.0}});
   std::vector<IndexShare> lines;
   for (const SpectralSample& line : spectrum.lines())
-    lines.push_back({refractiveIndex(scene.ice, line.wavelength), line.light / static_cast<double>(spectrum.lines().size())});
+    lines.push_back(
+        {refractiveIndex(scene.ice, line.wavelength), line.light / static_cast<double>(spectrum.lines().size())});
   return IceLight(lines);
 }
 
@@ -88,7 +91,8 @@ class Sum {
       squares_[bin] += share * part.error[bin] * share * part.error[bin];
     }
     totals_.add(part.totals, share);
-    error_.add(part.totalsError, share);
+    gSquares_ += share * part.gError * share * part.gError;
+    pathSquares_ += share * part.pathError * share * part.pathError;
     for (const PrismShare& prism : scene.prisms) {
       const double surface = scene.section.surface(prism.length), crystals = share * prism.share / surface;
       mean_.crystals += crystals;
@@ -118,7 +122,7 @@ class Sum {
   ScatterProfile::Summary summary() const {
     ScatterProfile::Summary s{};
     s.g = totals_.cosine;
-    s.gError = std::abs(error_.cosine);
+    s.gError = std::sqrt(gSquares_);
     s.undeviated = totals_.undeviated;
     s.external = totals_.external;
     s.cutOff = totals_.cutOff;
@@ -129,7 +133,7 @@ class Sum {
       s.byOrderRest -= order;
     }
     s.meanPath = totals_.path;
-    s.meanPathError = std::abs(error_.path);
+    s.meanPathError = std::sqrt(pathSquares_);
     s.volume = mean_.volume / mean_.crystals;
     s.surface = mean_.surface / mean_.crystals;
     s.meanProjectedArea = mean_.shadow / mean_.crystals;
@@ -138,7 +142,8 @@ class Sum {
 
   IntegralProfileSettings settings_;
   std::vector<double> light_, squares_;
-  ScatterTotals totals_, error_;
+  ScatterTotals totals_;
+  double gSquares_ = 0.0, pathSquares_ = 0.0;
   MeanCrystal mean_;
   IntegratedProfile result_;
 };
@@ -169,7 +174,8 @@ IntegratedProfile integrateProfile(const Scene& scene, const IntegralProfileSett
     ScatterAccuracy accuracy;
     accuracy.error = settings.error;
     accuracy.detailed = settings.detailed;
-    sum.add(prisms, integrateScatter(prisms, accuracy, settings.bins, settings.from, settings.to), population.weight / all);
+    sum.add(prisms, integrateScatter(prisms, accuracy, settings.bins, settings.from, settings.to),
+            population.weight / all);
   }
   return sum.result();
 }

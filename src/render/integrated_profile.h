@@ -25,7 +25,7 @@ std::string objectionToIntegral(const Scene& scene);
 struct IntegralProfileSettings {
   int bins = 0;
   double from = 0.0, to = 0.0;  // rad
-  double error = 1e-3;          // aimed at for the root of the mean squared relative error of all bins
+  double error = 0.01;          // aimed at for the root of the mean squared relative error of all bins
   bool detailed = false;        // whether the summary has way and orders, too
 };
 

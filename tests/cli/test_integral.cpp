@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+// Profiles without rays, as users ask for them.
+#include <cmath>
+#include <sstream>
+
+#include <doctest/doctest.h>
+#include <nlohmann/json.hpp>
+
+#include "shell.h"
+
+using namespace parhelion::test;
+
+namespace {
+
+struct WithPrisms : Folder {
+  WithPrisms() {
+    writeFile(*this / "s.toml",
+              "[sun]\nspectrum = 550.0\n[ice]\nindex = 1.31\n"
+              "[[population]]\nname = 'short'\nshape = 'prism'\naspect = 0.5\norientation = 'random'\nweight = 2.0\n"
+              "[[population]]\nname = 'long'\nshape = 'prism'\naspect = { uniform = [1.0, 3.0] }\n"
+              "orientation = 'random'\n");
+  }
+};
+
+std::vector<double> columnOf(const std::string& csv, int column) {
+  std::vector<double> values;
+  std::istringstream text(csv);
+  std::string line, cell;
+  std::getline(text, line);
+  while (std::getline(text, line)) {
+    std::istringstream cells(line);
+    for (int k = 0; k <= column; ++k) std::getline(cells, cell, ',');
+    values.push_back(std::stod(cell));
+  }
+  return values;
+}
+
+}  // namespace
+
+TEST_CASE("a profile of several populations is integrated, and rays agree with it") {
+  const WithPrisms folder;
+  const Outcome integral =
+      run(folder,
+          "parhelion profile s.toml --engine integral --error 2% --bins 90 --summary i.json --stats "
+          "t.json");
+  CHECK(integral.exit == 0);
+  CHECK(integral.err.find("directions") != std::string::npos);
+  const Outcome rays = run(folder, "parhelion profile s.toml --rays 300k --bins 90 --summary r.json --quiet");
+  CHECK(rays.exit == 0);
+  const auto light = columnOf(integral.out, 2), error = columnOf(integral.out, 3), traced = columnOf(rays.out, 2),
+             scatter = columnOf(rays.out, 3);
+  REQUIRE(light.size() == 90);
+  double chiSquare = 0.0, sum = 0.0;
+  for (std::size_t k = 0; k < 90; ++k) {
+    chiSquare += std::pow(light[k] - traced[k], 2.0) / (error[k] * error[k] + scatter[k] * scatter[k]);
+    sum += light[k];
+  }
+  CHECK(chiSquare < 90.0 + 4.5 * std::sqrt(180.0));
+  CHECK(std::abs(sum - 1.0) < 1e-3);
+
+  const auto a = nlohmann::json::parse(readFile(folder / "i.json")),
+             b = nlohmann::json::parse(readFile(folder / "r.json"));
+  for (const auto& [key, value] : b.items()) CHECK_MESSAGE(a.contains(key), key);
+  CHECK(a["rays"] == 0);
+  for (const char* key : {"volume", "surface", "mean_projected_area"})
+    CHECK(a[key].get<double>() == doctest::Approx(b[key].get<double>()).epsilon(5e-3));
+  for (const char* key : {"g", "mean_path"}) {
+    const std::string stderrKey = std::string(key) + "_stderr";
+    const double difference = a[key].get<double>() - b[key].get<double>();
+    CHECK(std::abs(difference) < 4.5 * std::hypot(a[stderrKey].get<double>(), b[stderrKey].get<double>()));
+  }
+  for (std::size_t k = 0; k < 5; ++k)
+    CHECK(a["by_order"][k].get<double>() == doctest::Approx(b["by_order"][k].get<double>()).epsilon(0.01));
+  const auto stats = nlohmann::json::parse(readFile(folder / "t.json"));
+  CHECK(stats["engine"] == "integral");
+  CHECK(stats["directions"].get<long>() > 1000);
+}
+
+TEST_CASE("what cannot be integrated is one clear error, and writes nothing") {
+  const WithPrisms folder;
+  struct Case {
+    std::string command, complaint;
+  };
+  for (const Case& c :
+       std::vector<Case>{{"render s.toml --engine integral -o o.exr", "it makes profiles"},
+                         {"map s.toml -D trace.engine=integral -o o.csv", "it makes profiles"},
+                         {"profile s.toml --engine integral -D population.short.orientation=plate -o o.csv", "short"},
+                         {"profile s.toml --engine integral -D population.short.shape=pyramid -o o.csv", "short"},
+                         {"profile s.toml --engine integral --paths 3-5 -o o.csv", "raypaths"},
+                         {"profile s.toml --engine integral --rays 1M -o o.csv", "--rays"},
+                         {"profile s.toml --engine integral --time 5s -o o.csv", "--time"},
+                         {"profile s.toml --engine integral --tally t.exr -o o.csv", "--tally"},
+                         {"profile s.toml --error 1% --rays 1k -o o.csv", "--error"}}) {
+    const Outcome outcome = run(folder, "parhelion " + c.command);
+    CAPTURE(c.command);
+    CHECK(outcome.exit == 2);
+    CHECK_MESSAGE(outcome.err.find(c.complaint) != std::string::npos, outcome.err);
+    CHECK(lines(outcome.err) <= 2);
+    CHECK_FALSE(std::filesystem::exists(folder / "o.csv"));
+    CHECK_FALSE(std::filesystem::exists(folder / "o.exr"));
+  }
+}
