@@ -42,6 +42,8 @@ std::string ofOption(const CLI::App& app, const CLI::App& command, const std::st
   const std::string text = "unknown option " + inQuotes(option) + (&command == &app ? "" : " of " + command.get_name());
   const std::string owners = ownersOf(app, option);
   const std::vector<std::string> names = optionsOf(command);
+  if (option == "-o" && std::ranges::find(names, "--csv") != names.end())
+    return withHint(text, "results go to --csv, --json or --map");
   const std::string near = didYouMean(option, std::vector<std::string_view>(names.begin(), names.end()));
   return withHint(text, !near.empty() || owners.empty() ? near : "it belongs to " + owners);
 }

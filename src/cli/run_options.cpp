@@ -43,6 +43,28 @@ std::string tomlString(const std::string& text) {
   return '"' + quoted + '"';
 }
 
+/// The complaints about an override that stands for an option, in the words of who typed the option.
+SceneError asOption(const SceneError& error, const std::string& override, const std::string& option,
+                    const std::string& text) {
+  std::vector<Diagnostic> all = error.diagnostics();
+  for (Diagnostic& one : all) {
+    if (one.file != "-D " + override) continue;
+    one.file = option + " '" + text + "'";
+    const std::string key = override.substr(0, override.find('=')), margin = "    1 | ";
+    const std::string before = override.substr(0, key.size() + 2);  // trace.filter='
+    const std::string last = "'" + key.substr(key.find('.') + 1) + "': ";
+    if (one.message.starts_with(last)) one.message.erase(0, last.size());
+    const int shift = static_cast<int>(before.size());
+    one.column = std::max(1, one.column - shift);
+    if (!one.excerpt.starts_with(margin + before)) continue;
+    const std::size_t caret = one.excerpt.find('^');
+    const auto marks = std::min(one.excerpt.find_last_of("^~") - caret + 1, text.size());
+    one.excerpt = margin + text + '\n' + std::string(margin.size() - 2, ' ') + "| " +
+                  std::string(static_cast<std::size_t>(one.column - 1), ' ') + '^' + std::string(marks - 1, '~') + '\n';
+  }
+  return SceneError(std::move(all));
+}
+
 /// Complains unless `text` is WIDTHxHEIGHT.
 std::string validResolution(const std::string& text) {
   const std::size_t x = text.find('x');
@@ -146,10 +168,19 @@ LoadedScene RunOptions::load(const std::vector<std::string>& more) const {
   if (noGround) all.emplace_back("camera.horizon='cut'");
   all.insert(all.end(), more.begin(), more.end());
   if (!sceneText_) sceneText_ = sceneTextOf(scene);
-  LoadedScene loaded = parseSceneOf(scene, *sceneText_, all);
+  LoadedScene loaded = parsedScene(all);
   if (loaded.scene.trace.engine == Engine::integral && !mayIntegrate)
     throw Unfit("engine integral: it makes profiles; all else takes rays, with another engine, such as auto");
   return loaded;
+}
+
+LoadedScene RunOptions::parsedScene(const std::vector<std::string>& all) const {
+  try {
+    return parseSceneOf(scene, *sceneText_, all);
+  } catch (const SceneError& error) {
+    if (filter.empty()) throw;
+    throw asOption(error, "trace.filter=" + tomlString(filter), "--paths", filter);
+  }
 }
 
 }  // namespace parhelion::cli

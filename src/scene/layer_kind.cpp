@@ -162,8 +162,10 @@ void checkStances(const PathPattern& pattern, const std::vector<std::string>& po
   checkFaces(pattern, populations, scene, place, complaints);
   std::vector<Stance> stances = pattern.stances;
   if (stances.empty()) return;
-  for (const PathPattern& other : pattern.others)
+  for (const PathPattern& other : pattern.others) {
+    if (other.stances.empty()) return;
     stances.insert(stances.end(), other.stances.begin(), other.stances.end());
+  }
   for (const PopulationSettings& settings : scene.populations) {
     if (!isNamed(populations, settings.name) || !isNamed(pattern.populations, settings.name)) continue;
     const auto stance = stanceOf(Population(settings));

@@ -81,8 +81,10 @@ TEST_CASE("mistakes about paths and layers are told in the words of the user, wi
     const char *command, *reason;
   };
   for (const auto& [command, reason] :
-       std::vector<Mistake>{{"paths s.toml --paths 3-x", "'x' is neither a kind of face nor the name of a halo"},
+       std::vector<Mistake>{{"paths s.toml --paths 3-x",
+                             "--paths '3-x':1:3: error: 'x' is neither a kind of face nor the name of a halo"},
                             {"profile s.toml --paths 'circumzenithal ark'", "did you mean 'circumzenithal arc'?"},
+                            {"paths s.toml -o p.csv", "results go to --csv, --json or --map"},
                             {"paths l.toml --layer czb", "did you mean 'cza'?"},
                             {"paths s.toml --layer cza", "the scene has no layer 'cza'"},
                             {"paths s.toml --at 20", "expected AZIMUTH,ELEVATION"},

@@ -158,6 +158,18 @@ TEST_CASE("patterns take what they say: chains, classes, alternatives, counts") 
   CHECK(takes("22° halo", {3, 5}, random));
   CHECK(takes("22 deg Halo", {4, 6}, random));
   CHECK(takes("circumzenithal arc, hits = 2", {1, 5}));
+  for (const char* name : {"sundog", "sun dogs", "mock suns", "Parhelia"})
+    CHECK(parsePathPattern(name).places.size() == parsePathPattern("parhelion").places.size());
+  CHECK(parsePathPattern("22 halo").stances == std::vector{Stance::random});
+  for (const char* name : {"CZA", "CHA", "UTA", "120 parhelia", "diffuse arcs", "helic arc"})
+    CHECK_FALSE(parsePathPattern(name).stances.empty());
+  // Each alternative to a name has the stances of its own crystals, or any.
+  const PathPattern mixed = parsePathPattern("22° halo | 3-(1 | 2)-5 | CZA, hits = 2..3");
+  REQUIRE(mixed.others.size() == 2);
+  CHECK(mixed.stances == std::vector{Stance::random});
+  CHECK(mixed.others[0].stances.empty());
+  CHECK(mixed.others[0].mostHits == 3);
+  CHECK(mixed.others[1].stances == std::vector{Stance::plate});
   CHECK(takes("Parry arc", {5, 7}, parry()));
   CHECK_FALSE(takes("3-5", {5, 7}, parry()));
   const CrystalMesh pyramid = hexagonalPyramid({0.5, 0.4, 0.4});
@@ -194,6 +206,9 @@ TEST_CASE("a bad pattern is refused at the place where it is bad") {
   CHECK(placeOfError("3-5, symmetry = all") == 16);
   CHECK(placeOfError("3-5, population = 'a") == 18);
   CHECK(placeOfError("circumzenithal ark") == 0);
+  CHECK(placeOfError("CZA | 3-x") == 8);
+  CHECK(placeOfError("CZA | ark, hits = 2") == 6);
+  CHECK(placeOfError("CZA | 3-5 5") == 10);
   CHECK(placeOfError("-3") == 0);
   CHECK(placeOfError("not") == 3);
   CHECK(placeOfError(" ") == 1);

@@ -11,6 +11,26 @@ namespace {
 constexpr std::string_view kGreenler = "Greenler 1980";
 constexpr std::string_view kTape = "Tape 1994";
 constexpr std::string_view kTapeMoilanen = "Tape & Moilanen 2006";
+constexpr std::string_view kCowley = "Cowley, Atmospheric Optics, Kern arc";
+constexpr std::string_view kMeteoros = "Arbeitskreis Meteore, Haloarten, EE 57";
+constexpr std::string_view kSelmke = "Borchardt & Selmke 2015";
+
+/// What observers say for short, and the other names of a halo, by plainName().
+constexpr std::pair<std::string_view, std::string_view> kShortNames[] = {
+    {"sundog", "parhelion"},
+    {"sun dog", "parhelion"},
+    {"mock sun", "parhelion"},
+    {"cza", "circumzenithal arc"},
+    {"cha", "circumhorizontal arc"},
+    {"uta", "upper tangent arc"},
+    {"lta", "lower tangent arc"},
+    {"paranthelion", "120° parhelion"},
+    {"helic arc", "heliac arc"},
+    {"anthelic diffuse arc", "diffuse arc"},
+    {"greenler's diffuse arc", "diffuse arc"},
+    {"tricker's anthelic arc", "tricker arc"},
+    {"wegener's anthelic arc", "wegener arc"},
+};
 
 /// One word for what people write in several ways.
 std::string plainName(std::string_view name) {
@@ -25,6 +45,12 @@ std::string plainName(std::string_view name) {
                                        {"halos", "halo"},
                                        {"circumhorizon arc", "circumhorizontal arc"}})
     if (const std::size_t at = plain.find(written); at != std::string::npos) plain.replace(at, written.size(), meant);
+  // 22 halo
+  const std::size_t digits = plain.find_first_not_of("0123456789");
+  if (digits != 0 && digits != std::string::npos && plain[digits] == ' ') plain.insert(digits, "°");
+  if (plain.ends_with("dogs") || plain.ends_with("suns")) plain.pop_back();
+  for (const auto& [said, meant] : kShortNames)
+    if (plain == said) return std::string(meant);
   return plain;
 }
 
@@ -56,6 +82,23 @@ std::span<const HaloPath> haloPaths() {
       {"sun pillar", "basal | 1-2-1 | 2-1-2 | 3-2-6 | 3-1-6", {plate}, kGreenler},
       {"Wegener arc", "3-1-5", {column}, kTape},
       {"Hastings arc", "3-1-5, symmetry = crystal", {parry}, kTape},
+      // Rare ones. Where light inside is turned around by ends, any of the reflections may be the first.
+      {"heliac arc", "4 | 5", {parry}, kTape},
+      {"subhelic arc", "1-3-(4 | 5)-2 | 3-5-7-4 | 3-6-4-8, symmetry = crystal", {column, parry}, kTape},
+      {"Tricker arc",
+       "3-(1-5-7 | 5-1-7 | 5-7-1)-4 | 3-(1-6-4 | 6-1-4 | 6-4-1)-8 | 1-(2-3 | 3-2)-(4 | 5)-1 | 1-3-(4 | 5)-2-1, "
+       "symmetry = crystal",
+       {column, parry},
+       kMeteoros},
+      {"diffuse arc", "3-(1-5 | 5-1)-7 | 3-(1-5-6-7 | 5-1-6-7 | 5-6-1-7 | 5-6-7-1)-3", {column}, kGreenler},
+      {"Kern arc", "1-(3 | 3-2-1 | 2-3-1 | 2-1-3)-(4 | 5)", {plate}, kCowley},
+      {"Liljequist parhelion",
+       "3-(5-6 | 2-1-5-6 | 2-5-1-6 | 2-5-6-1 | 5-2-1-6 | 5-2-6-1 | 5-6-2-1)-7 | "
+       "3-(4-5 | 2-1-4-5 | 2-4-1-5 | 2-4-5-1 | 4-2-1-5 | 4-2-5-1 | 4-5-2-1)-7 | "
+       "3-(5-6-7 | 2-1-5-6-7 | 2-5-1-6-7 | 2-5-6-1-7 | 2-5-6-7-1 | 5-2-1-6-7 | 5-2-6-1-7 | 5-2-6-7-1 | 5-6-2-1-7 | "
+       "5-6-2-7-1 | 5-6-7-2-1)-3",
+       {plate},
+       kSelmke},
       // Rings of pyramids, by the wedges of their least deviations.
       {"9° halo", "3-16 | 3-26 | 16-3 | 26-3", {random}, kTapeMoilanen},
       {"18° halo", "13-25 | 25-13", {random}, kTapeMoilanen},

@@ -30,6 +30,9 @@ const std::vector<FaceClass>& faceClasses() {
   return classes;
 }
 
+// Each is an automaton of its own.
+constexpr std::size_t kMostAlternatives = 64;
+
 constexpr std::array<std::string_view, 5> kClauses{"hits", "entry", "exit", "population", "symmetry"};
 
 bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || c == '\'' || c < 0; }
@@ -54,7 +57,7 @@ class PatternParser {
 
   PathPattern parse() {
     skipSpaces();
-    if (!takeName()) {
+    if (!takeNames()) {
       pattern_.isInverted = takeWord("not");
       skipSpaces();
       const bool hasChain = !atEnd() && !isSeparator(peek()) && !startsClause();
@@ -124,24 +127,68 @@ class PatternParser {
     throw PatternError(at_, unknown.size(), message, std::string(unknown), std::move(accepted));
   }
 
-  // A name of a halo instead of a chain.
+  // Names of halos, of which some may be chains.
 
-  bool takeName() {
-    std::size_t end = at_;
-    while (end < text_.size() && !isSeparator(text_[end])) ++end;
-    while (end > at_ && isSpace(text_[end - 1])) --end;
+  /// All words up to a separator, and up to '|' outside of brackets.
+  std::size_t endOfAlternative(std::size_t begin) const {
+    int depth = 0;
+    std::size_t end = begin;
+    for (; end < text_.size() && !isSeparator(text_[end]); ++end) {
+      if (text_[end] == '(') ++depth;
+      if (text_[end] == ')') --depth;
+      if (text_[end] == '|' && depth == 0) break;
+    }
+    return end;
+  }
+
+  std::vector<PathPattern> halosIn(std::size_t begin, std::size_t end) const {
+    while (begin < end && isSpace(text_[begin])) ++begin;
+    while (end > begin && isSpace(text_[end - 1])) --end;
     std::vector<PathPattern> known;
-    for (const HaloPath* halo : halosNamed(text_.substr(at_, end - at_))) {
+    for (const HaloPath* halo : halosNamed(text_.substr(begin, end - begin))) {
       known.push_back(parsePathPattern(halo->pattern));
       known.back().stances = halo->stances;
     }
-    if (known.empty()) return false;
+    return known;
+  }
+
+  /// Takes alternatives if one of them is a halo's name: each becomes a pattern of its own.
+  bool takeNames() {
+    std::vector<PathPattern> all;
+    bool hasName = false;
+    std::size_t begin = at_, end = 0;
+    do {
+      end = endOfAlternative(begin);
+      hasName = hasName || !halosIn(begin, end).empty();
+      begin = end + 1;
+    } while (end < text_.size() && text_[end] == '|');
+    if (!hasName) return false;
+    begin = at_;
+    do {
+      end = endOfAlternative(begin);
+      std::vector<PathPattern> known = halosIn(begin, end);
+      if (known.empty()) known.push_back(chainIn(begin, end));
+      std::ranges::move(known, std::back_inserter(all));
+      begin = end + 1;
+    } while (end < text_.size() && text_[end] == '|');
+    if (all.size() > kMostAlternatives) failAt("too many alternatives beside names of halos");
     std::string text = std::move(pattern_.text);
-    pattern_ = std::move(known.front());
+    pattern_ = std::move(all.front());
     pattern_.text = std::move(text);
-    pattern_.others.assign(std::make_move_iterator(known.begin() + 1), std::make_move_iterator(known.end()));
+    pattern_.others.assign(std::make_move_iterator(all.begin() + 1), std::make_move_iterator(all.end()));
     at_ = end;
     return true;
+  }
+
+  /// The chain that is an alternative to names.
+  PathPattern chainIn(std::size_t begin, std::size_t end) const {
+    PatternParser part(text_.substr(0, end));
+    part.at_ = begin;
+    part.skipSpaces();
+    part.setChain(part.chain(0));
+    part.skipSpaces();
+    if (!part.atEnd()) part.failAt("'-', '|', ',' or the end should stand here");
+    return std::move(part.pattern_);
   }
 
   // Chains.

@@ -54,7 +54,8 @@ class PatternError : public std::invalid_argument {
 
 /// A set of raypaths as people write it. The grammar, spaces being free:
 ///
-///   pattern = ["not"] [chain] {("," | ";") clause}            or the name of a halo, and clauses
+///   pattern = (["not"] [chain] | names) {("," | ";") clause}
+///   names   = (name of a halo | links) {"|" (name of a halo | links)}     at least one of them a name
 ///   chain   = links {"|" links}
 ///   links   = link {"-" link}
 ///   link    = face number | "?" | "*" | class | "(" chain ")"
@@ -80,7 +81,7 @@ struct PathPattern {
   FaceChoice entry, exit;
   std::vector<std::string> populations;  // empty: all
   std::vector<Stance> stances;           // of the crystals that make a halo of this name; empty: all
-  std::vector<PathPattern> others;       // of the same halo in crystals of other stances
+  std::vector<PathPattern> others;       // of the same halo in crystals of other stances, and alternatives to its name
   PathSymmetry symmetry = PathSymmetry::orientation;
 
   bool operator==(const PathPattern& other) const { return text == other.text; }
