@@ -30,7 +30,7 @@ void printLedger(const TraceReport& report) {
   say("%.6g%s rays in %.2f s, %.3g%s rays/s, %.2f hits and %.2f deposits a ray", count.value, count.suffix,
       report.seconds, speed.value, speed.suffix, static_cast<double>(report.hits) / rays,
       static_cast<double>(report.deposits) / rays);
-  if (report.interrupted) say("interrupted: stopped before all rays were traced");
+  if (report.interrupted) say("ended early: not all rays were traced");
   char filtered[40] = "";
   if (energy.filtered.units() != 0)
     std::snprintf(filtered, sizeof filtered, " + filtered %.9f", energy.filtered.value() * per);

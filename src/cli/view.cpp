@@ -9,6 +9,7 @@
 #include "cli/outputs.h"
 #include "cli/say.h"
 #include "cli/view_input.h"
+#include "cli/view_layers.h"
 #include "cli/view_options.h"
 #include "cli/view_profile.h"
 #include "optics/ice.h"
@@ -94,10 +95,9 @@ Crystals crystalsOf(const Scene& scene, const std::string& file) {
 }
 
 Crystals crystalsOf(const ViewInput& input, const ViewOptions& options) {
-  IceSettings ice;
   std::optional<Scene> own;
   if (const auto scene = input.scene()) own = parseScene(*scene, "the scene in " + input.sceneFile).scene;
-  if (own) ice = own->ice;
+  const IceSettings ice = own ? own->ice : IceSettings{};
   if (!options.crystals.empty()) return {makersOf(options.families()), ice, ""};
   if (!options.scene.empty()) return crystalsOf(loadScene(options.scene).scene, options.scene);
   if (own) return crystalsOf(*own, input.sceneFile);
@@ -109,9 +109,9 @@ Crystals crystalsOf(const ViewInput& input, const ViewOptions& options) {
 LineArt linesOver(const ViewInput& input, const PhotoCamera& camera, const ViewOptions& options) {
   OverlaySettings settings = options.overlaySettings();
   settings.belowHorizon = options.belowHorizon.value_or(!input.isPhotograph());
-  Crystals crystals;
-  if (settings.halos) crystals = crystalsOf(input, options);
+  Crystals crystals = settings.halos ? crystalsOf(input, options) : Crystals{};
   settings.makers = std::move(crystals.makers);
+  settings.names = layerNames(input, camera.camera, options.layers, settings);
   if (!options.quiet && !crystals.remark.empty()) say("%s", crystals.remark.c_str());
   return drawOverlay(camera.camera, camera.sunElevation, refractiveIndex(crystals.ice, kEyesWavelength), settings);
 }

@@ -33,6 +33,7 @@ constexpr double kLineWidth = 0.075;
 constexpr double kShadowWidth = 0.07;  // that much more on either side of a line
 constexpr double kSunRadius = 0.55;
 constexpr double kSpotRadius = 0.3;
+constexpr double kNamedSpot = 0.16;
 constexpr double kCross = 0.45;  // half length of the zenith's arms
 
 constexpr double kThinnestLine = 0.9;  // pixels
@@ -142,6 +143,13 @@ class Painter {
         mark(*at, kSpotRadius, named ? point.name : "", colour);
         families_.insert(point.family);
       }
+  }
+
+  void names(const std::vector<NamedPlace>& places) {
+    for (const NamedPlace& place : places) {
+      discs_.push_back({place.at, kNamedSpot * size_, palette_.sun});
+      mark(place.at, kNamedSpot, place.text, palette_.sun);
+    }
   }
 
   Overlay finish(bool legend) {
@@ -264,7 +272,9 @@ Overlay overlay(const CameraSettings& camera, double sunElevation, double index,
   painter.circles(settings.circles, settings.labels);
   painter.sun(settings.labels);
   if (settings.zenith) painter.zenith(settings.labels);
-  if (settings.halos) painter.halos(haloForms(sunElevation, index, settings.makers), settings.labels);
+  const bool namesHalos = settings.labels && settings.names.empty();
+  if (settings.halos) painter.halos(haloForms(sunElevation, index, settings.makers), namesHalos);
+  if (settings.labels) painter.names(settings.names);
   return painter.finish(settings.labels);
 }
 

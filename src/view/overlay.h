@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "optics/halo_makers.h"
@@ -10,6 +11,12 @@
 #include "view/line_art.h"
 
 namespace parhelion {
+
+/// A name for a place of the picture, pixel coordinates.
+struct NamedPlace {
+  std::string text;
+  Vec2 at;
+};
 
 struct OverlaySettings {
   // Between lines of equal altitude and azimuth, the sun's azimuth being 0, rad. 0: none; left out: 10 degrees, or 30
@@ -21,9 +28,10 @@ struct OverlaySettings {
   std::vector<double> circles;  // rad, radii about the sun
   bool halos = false;           // haloForms() of the makers; in small pictures without the rare ones
   std::vector<HaloMaker> makers = allHaloMakers();
-  bool belowHorizon = true;  // draw there, too
-  bool onPaper = false;      // in dark colours, for dots on white
-  double scale = 1.0;        // of lines and letters; 1: letters are 1/50 of the picture's shorter side, at least 9 px
+  bool belowHorizon = true;       // draw there, too
+  std::vector<NamedPlace> names;  // with labels: in place of the names of halos
+  bool onPaper = false;           // in dark colours, for dots on white
+  double scale = 1.0;  // of lines and letters; 1: letters are 1/50 of the picture's shorter side, at least 9 px
 };
 
 struct Overlay {

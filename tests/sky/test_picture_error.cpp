@@ -30,12 +30,12 @@ Tally tallyOf(int hits, int pixels = 100) {
 
 TEST_CASE("with n hits in each pixel the error of the plain picture is 1 / sqrt(n)") {
   for (const int hits : {1, 25, 400})
-    CHECK(plainError(tallyOf(hits)) == doctest::Approx(1.0 / std::sqrt(hits)).epsilon(1e-3));
+    CHECK(plainError(tallyOf(hits)) == doctest::Approx(1.0 / std::sqrt(hits)).epsilon(1e-3).scale(0));
 }
 
 TEST_CASE("a pixel that nothing hit is not known to be dark: it has the error of one hit") {
   // Of 100 pixels 20 have 4 hits each: their errors are 20 times 2, those of the others 80 times 1, the light is 80.
-  CHECK(plainError(tallyOf(4, 20)) == doctest::Approx((40.0 + 80.0) / 80.0).epsilon(1e-3));
+  CHECK(plainError(tallyOf(4, 20)) == doctest::Approx((40.0 + 80.0) / 80.0).epsilon(1e-3).scale(0));
 }
 
 TEST_CASE("an estimate of the bias counts as far as the plain picture allows it") {
@@ -46,14 +46,14 @@ TEST_CASE("an estimate of the bias counts as far as the plain picture allows it"
   auto& bias = sky.channels.back().samples;
   std::fill(bias.begin(), bias.end(), static_cast<float>(0.05 * radiance));
   // Where both agree, the plain picture's error is as good a bound, and a smaller one.
-  CHECK(pictureError(sky, tally) == doctest::Approx(plain).epsilon(1e-3));
+  CHECK(pictureError(sky, tally) == doctest::Approx(plain).epsilon(1e-3).scale(0));
   // A smooth picture that has no noise and is 5 % too bright is known to be off by no more than that and the noise.
   for (const char* name : {"R", "G", "B"})
     for (float& sample : const_cast<std::vector<float>&>(*sky.find(name))) sample *= 1.05F;
   for (float& sample : const_cast<std::vector<float>&>(*sky.find(kVarianceChannel))) sample = 0.0F;
-  CHECK(pictureError(sky, tally) == doctest::Approx(0.05 / 1.05).epsilon(1e-3));
+  CHECK(pictureError(sky, tally) == doctest::Approx(0.05 / 1.05).epsilon(1e-3).scale(0));
   std::fill(bias.begin(), bias.end(), static_cast<float>(50.0 * radiance));
-  CHECK(pictureError(sky, tally) == doctest::Approx(0.15 / 1.05).epsilon(1e-3));
+  CHECK(pictureError(sky, tally) == doctest::Approx(0.15 / 1.05).epsilon(1e-3).scale(0));
 }
 
 TEST_CASE("a picture without light has no error that is small enough") {
