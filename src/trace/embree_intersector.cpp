@@ -137,7 +137,9 @@ void EmbreeIntersector::nameFaces(RayPool& pool) const {
   auto& [ray, hit] = packet;
   for (int first = 0; first < pool.active; first += kPacket) {
     for (int k = 0; k < kPacket; ++k) {
-      const int i = first + k;
+      // Embree may look at lanes that are not valid, too, where it has no registers of this width: they repeat the last
+      // ray.
+      const int i = std::min(first + k, pool.active - 1);
       const double perStretch = 1.0 / pool.stretch[i];
       ray.org_x[k] = static_cast<float>(pool.point[0][i]);
       ray.org_y[k] = static_cast<float>(pool.point[1][i]);
@@ -148,7 +150,7 @@ void EmbreeIntersector::nameFaces(RayPool& pool) const {
       ray.tfar[k] = std::numeric_limits<float>::infinity();
       ray.mask[k] = ~(1u << static_cast<int>(pool.face[i]));
       hit.geomID[k] = hit.instID[0][k] = RTC_INVALID_GEOMETRY_ID;
-      valid[k] = i < pool.active ? -1 : 0;
+      valid[k] = first + k < pool.active ? -1 : 0;
     }
     intersectClosest(valid, scene_.get(), packet);
     for (int k = 0; k < kPacket; ++k)

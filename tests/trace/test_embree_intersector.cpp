@@ -45,6 +45,32 @@ TEST_CASE("Embree and the planes agree on the next face, edges aside") {
     }
 }
 
+TEST_CASE("packets that are not full are answered on machines of all registers, whatever is in the rest of the pool") {
+  const CrystalMesh mesh = hexagonalPrism(1.0);
+  for (const char* isa : {"isa=sse2", "isa=sse4.2", "isa=avx", "isa=avx2", ""}) {  // Embree takes what there is of them
+    CAPTURE(isa);
+    const EmbreeDevice device(isa);
+    const EmbreeIntersector engine(device, mesh, EmbreeMode::fast);
+    RayPool pool;
+    const double nothing = std::nan("");
+    for (auto* rows : {pool.point, pool.lightDir})
+      for (int axis = 0; axis < 3; ++axis) rows[axis].fill(nothing);
+    pool.stretch.fill(0.0);
+    pool.face.fill(0.0);
+    pool.active = 3;
+    for (int i = 0; i < pool.active; ++i) {
+      for (auto* rows : {pool.point, pool.lightDir})
+        for (int axis = 0; axis < 3; ++axis) rows[axis][i] = 0.0;
+      pool.stretch[i] = 1.0;
+      pool.lightDir[2][i] = i == 1 ? -1.0 : 1.0;
+    }
+    pool.face.fill(7.0);  // none that is met here
+    engine.nameFaces(pool);
+    for (int i = 0; i < pool.active; ++i)
+      CHECK(mesh.faces()[static_cast<std::size_t>(pool.nextFace[i])].number == (i == 1 ? 2 : 1));
+  }
+}
+
 TEST_CASE("a memory limit that a build exceeds becomes one clear error") {
   const CrystalMesh mesh = hexagonalPrism(1.0);
   std::string message;
