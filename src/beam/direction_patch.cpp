@@ -19,8 +19,8 @@ constexpr int kUsualClasses = 192;
 // Multiples of these, less their whole parts, are spread evenly (the golden ratio and its square root).
 constexpr double kByClass = 0.6180339887498949, kByPatch = 0.7861513777574233;
 
-// Light in a plane of symmetry of the side faces, or across c, can go round in the prism for ever: a limit that no light
-// beside it comes near. So what becomes of light there is that of light so far beside it (rad).
+// Light in a plane of symmetry of the side faces, or across c, can go round in the prism for ever: a limit that no
+// light beside it comes near. So what becomes of light there is that of light so far beside it (rad).
 constexpr double kAside = 2e-4, kPlanesApart = kPi / 6.0;
 
 /// An azimuth at which no light goes round for ever, on the side of `towards`.
@@ -110,9 +110,10 @@ void DirectionPatch::traceNode(int node) {
   lightDir_[1][static_cast<std::size_t>(node)] = lightDir.y;
   lightDir_[2][static_cast<std::size_t>(node)] = lightDir.z;
   totals_[static_cast<std::size_t>(node)] = {};
-  const Triple<double> beside = lightDirAt(besidePlanes(phi, 0.5 * (bounds_.phi0 + bounds_.phi1)),
-                                           std::clamp(zeta, kAside, 0.5 * kPi - kAside));
-  for (std::size_t k = 0; k < tracers_.size(); ++k) traceLight(node, vectorOf(lightDir), vectorOf(beside), portable::sin(zeta), k);
+  const Triple<double> beside =
+      lightDirAt(besidePlanes(phi, 0.5 * (bounds_.phi0 + bounds_.phi1)), std::clamp(zeta, kAside, 0.5 * kPi - kAside));
+  for (std::size_t k = 0; k < tracers_.size(); ++k)
+    traceLight(node, vectorOf(lightDir), vectorOf(beside), portable::sin(zeta), k);
 }
 
 void DirectionPatch::traceLight(int node, const Vec3& lightDir, const Vec3& beside, double perAngles,
