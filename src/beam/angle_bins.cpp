@@ -6,7 +6,7 @@
 
 namespace parhelion {
 
-void AngleBins::addTriangle(const double* angle, const double* density) {
+PARHELION_ALSO_AVX2 void AngleBins::addTriangle(const double* angle, const double* density) {
   // Corners by their place in the bins, rising.
   double place[3], light[3];
   for (int k = 0; k < 3; ++k) {
@@ -33,20 +33,21 @@ void AngleBins::addTriangle(const double* angle, const double* density) {
       return;
     }
   }
-  const double whole = place[2] - place[0], rise = place[1] - place[0], fall = place[2] - place[1];
   // Light below x: a smaller triangle at the lowest corner, or all but one at the highest. Its mean density is that of
-  // the corner and of the two places where x cuts the edges.
-  const double upTo1 = rise > 0.0 ? (light[1] - light[0]) / rise : 0.0, upTo2 = (light[2] - light[0]) / whole,
-               downTo1 = fall > 0.0 ? (light[1] - light[2]) / fall : 0.0;
+  // the corner and of the two places where x cuts the edges: a cubic of the distance from the corner.
+  const double whole = place[2] - place[0], rise = place[1] - place[0], fall = place[2] - place[1];
+  const double perWhole = 1.0 / whole, perRise = rise > 0.0 ? 1.0 / rise : 0.0, perFall = fall > 0.0 ? 1.0 / fall : 0.0;
+  const double slope = (light[2] - light[0]) * perWhole;
+  const double square0 = 3.0 * light[0] * perRise * perWhole, square2 = 3.0 * light[2] * perFall * perWhole;
+  const double cube0 = ((light[1] - light[0]) * perRise + slope) * perRise * perWhole;
+  const double cube2 = ((light[1] - light[2]) * perFall - slope) * perFall * perWhole;
   const auto below = [&](double x) {
     if (x <= place[0]) return 0.0;
     if (x >= place[2]) return all;
-    if (x < place[1]) {
-      const double t = x - place[0];
-      return t * t / (rise * whole) * (3.0 * light[0] + t * (upTo1 + upTo2));
-    }
-    const double t = place[2] - x;
-    return all - t * t / (fall * whole) * (3.0 * light[2] + t * (downTo1 - upTo2));
+    const bool low = x < place[1];
+    const double t = low ? x - place[0] : place[2] - x;
+    const double part = t * t * ((low ? square0 : square2) + t * (low ? cube0 : cube2));
+    return low ? part : all - part;
   };
   double before = below(first);
   for (double bin = first; bin <= end; bin += 1.0) {

@@ -19,6 +19,17 @@ constexpr int kUsualClasses = 192;
 // Multiples of these, less their whole parts, are spread evenly (the golden ratio and its square root).
 constexpr double kByClass = 0.6180339887498949, kByPatch = 0.7861513777574233;
 
+// Light in a plane of symmetry of the side faces, or across c, can go round in the prism for ever: a limit that no
+// light beside it comes near. So what becomes of light there is that of light so far beside it (rad).
+constexpr double kAside = 2e-4, kPlanesApart = kPi / 6.0;
+
+/// An azimuth at which no light goes round for ever, on the side of `towards`.
+double besidePlanes(double phi, double towards) {
+  const double plane = std::round(phi / kPlanesApart) * kPlanesApart;
+  if (std::abs(phi - plane) >= kAside) return phi;
+  return towards > plane ? plane + kAside : plane - kAside;
+}
+
 double fraction(double x) { return x - std::floor(x); }
 
 PrismClass classNumbered(int number, int inside) {
@@ -31,6 +42,8 @@ Triple<double> lightDirAt(double phi, double zeta) {
   const auto [sinZeta, cosZeta] = portable::sincos(zeta);
   return {sinZeta * cosPhi, sinZeta * sinPhi, -cosZeta};
 }
+
+Vec3 vectorOf(const Triple<double>& v) { return {v.x, v.y, v.z}; }
 
 /// Where light of a class goes that is numbered among those of the inside and those of the outside.
 template <class T>
@@ -97,15 +110,20 @@ void DirectionPatch::traceNode(int node) {
   lightDir_[1][static_cast<std::size_t>(node)] = lightDir.y;
   lightDir_[2][static_cast<std::size_t>(node)] = lightDir.z;
   totals_[static_cast<std::size_t>(node)] = {};
-  for (std::size_t k = 0; k < tracers_.size(); ++k) traceLight(node, lightDir, portable::sin(zeta), k);
+  const Triple<double> beside =
+      lightDirAt(besidePlanes(phi, 0.5 * (bounds_.phi0 + bounds_.phi1)), std::clamp(zeta, kAside, 0.5 * kPi - kAside));
+  for (std::size_t k = 0; k < tracers_.size(); ++k)
+    traceLight(node, vectorOf(lightDir), vectorOf(beside), portable::sin(zeta), k);
 }
 
-void DirectionPatch::traceLight(int node, const Triple<double>& lightDir, double perAngles, std::size_t tracer) {
+void DirectionPatch::traceLight(int node, const Vec3& lightDir, const Vec3& beside, double perAngles,
+                                std::size_t tracer) {
   const std::size_t indices = scene_.light.nodes().size(), n = tracer % indices;
   const double share = perShadow_[tracer / indices] * perAngles;  // of the prism, at this index
   const double ofAll = share * scene_.light.nodeShares()[n];
   ScatterTotals& totals = totals_[static_cast<std::size_t>(node)];
-  tracers_[tracer].trace(Vec3(lightDir.x, lightDir.y, lightDir.z), light_);
+  tracers_[tracer].trace(beside, light_);
+  tracers_[tracer].meetOutside(lightDir, light_);
   totals.intercepted += ofAll * light_.totalShadow();
   totals.path += ofAll * light_.path;
   for (std::size_t order = 0; order < totals.byOrder.size(); ++order)
@@ -151,7 +169,7 @@ void DirectionPatch::addClass(const Class& c, double start, Bins& bins) {
   }
 }
 
-void DirectionPatch::see(const Class& c, const IceLight::Sample& sample) {
+PARHELION_ALSO_AVX2 void DirectionPatch::see(const Class& c, const IceLight::Sample& sample) {
   const bool outside = c.number >= kInside;
   const PrismClass of = classNumbered(c.number, kInside);
   const RelativeIndexOf<Four> index(all<Four>(sample.index));
@@ -199,7 +217,7 @@ DirectionPatch::Corner DirectionPatch::corner(int row, int column) const {
           seen_.excess[node]};
 }
 
-void DirectionPatch::addTriangles(AngleBins& bins, const Exit& exit, int step) const {
+PARHELION_ALSO_AVX2 void DirectionPatch::addTriangles(AngleBins& bins, const Exit& exit, int step) const {
   const double area = 0.5 * bounds_.area() * step * step / (kCells * kCells);
   const int depth = step == 1 ? kEdgeDepth : kEdgeDepth + 1;
   for (int row = 0; row < kCells; row += step)

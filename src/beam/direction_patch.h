@@ -68,7 +68,8 @@ class DirectionPatch {
 
   Class& classOf(int number);
   void traceNode(int node);
-  void traceLight(int node, const Triple<double>& lightDir, double perAngles, std::size_t tracer);
+  /// What becomes of light inside is that of `beside`.
+  void traceLight(int node, const Vec3& lightDir, const Vec3& beside, double perAngles, std::size_t tracer);
   void addClass(const Class& c, double start, Bins& bins);
   void see(const Class& c, const IceLight::Sample& sample);
   void count(const Class& c);

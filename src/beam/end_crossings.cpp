@@ -42,13 +42,13 @@ std::size_t EndCrossings::extend(std::size_t cell) {
   return std::min(cell, nodes_.size() - 1);
 }
 
-EndCrossings::Four EndCrossings::across(double low, std::size_t first, double high, std::size_t last) const {
+void EndCrossings::across(double low, std::size_t first, double high, std::size_t last, Four& mean) const {
   const double before = static_cast<double>(first + 1) - low, behind = high - static_cast<double>(last);
   const Node& from = nodes_[first];
   const Node& to = nodes_[last];
   const Four sum = before * (from.value + (1.0 - 0.5 * before) * from.slope) +
                    (to.integral - nodes_[first + 1].integral) + behind * (to.value + (0.5 * behind) * to.slope);
-  return sum / (high - low);
+  mean = sum / (high - low);
 }
 
 double EndCrossings::wayAt(double y) {

@@ -42,7 +42,9 @@ class EndCrossings {
       const Node& node = nodes_[first];
       return node.value + (0.5 * (low + high) - static_cast<double>(first)) * node.slope;
     }
-    return across(low, first, high, last);
+    Four mean;
+    across(low, first, high, last, mean);
+    return mean;
   }
 
   /// The mean over y from y0 to y1 of the integral from 0 of both that meet sides: how far light has come on the way,
@@ -66,7 +68,8 @@ class EndCrossings {
   /// Makes nodes up to that of `cell`. Where no light is left all goes on in straight lines, and the last node stands
   /// for all behind it.
   std::size_t extend(std::size_t cell);
-  Four across(double low, std::size_t first, double high, std::size_t last) const;
+  /// By reference: code for different registers returns vectors in different ways.
+  void across(double low, std::size_t first, double high, std::size_t last, Four& mean) const;
   double wayAt(double y);
   double twiceAt(double y);
 

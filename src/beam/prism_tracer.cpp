@@ -41,16 +41,20 @@ double meanAbove(double y0, double y1) {
 PrismTracer::PrismTracer(const PrismSection& section, double length, double index, double cutShare, bool detailed)
     : section_(section), length_(length), index_(index), cutShare_(cutShare), detailed_(detailed) {}
 
-void PrismTracer::trace(const Vec3& lightDir, PrismLight& light) {
-  const double excess = (index_ - 1.0) * (index_ + 1.0);
+void PrismTracer::meetOutside(const Vec3& lightDir, PrismLight& light) const {
   const Triple<double> s{lightDir.x, lightDir.y, lightDir.z};
   for (int face = 0; face < kPrismFaces; ++face) {
     const double cosine = -dotNormal(normalOfPrismFace(face), s);
     const double area = face < kUpperEnd ? section_.side[face] * length_ : section_.area;
     light.shadow[face] = cosine > 0.0 ? cosine * area : 0.0;
     light.reflectance[face] = cosine > 0.0 ? fresnel(cosine, RelativeIndex(index_)).reflectance : 1.0;
-    light.cutOff[face] = 0.0;
   }
+}
+
+void PrismTracer::trace(const Vec3& lightDir, PrismLight& light) {
+  const double excess = (index_ - 1.0) * (index_ + 1.0);
+  meetOutside(lightDir, light);
+  light.cutOff.fill(0.0);
   told_ = &light;
   light.byOrder.fill(0.0);
   light.path = 0.0;
@@ -104,7 +108,7 @@ void PrismTracer::passStraight(double reflectance) {
   told_->path += goesIn_ * length_ / (1.0 - reflectance);
 }
 
-void PrismTracer::prepare(const Vec2& direction, double inPlane) {
+PARHELION_ALSO_AVX2 void PrismTracer::prepare(const Vec2& direction, double inPlane) {
   const RelativeIndex outwards(1.0 / index_);
   for (int e = 0; e < kPlaneElements; ++e) {
     Direction& of = directions_[e];
@@ -150,7 +154,7 @@ void PrismTracer::enterEnd() {
   }
 }
 
-void PrismTracer::step(const Part& part) {
+PARHELION_ALSO_AVX2 void PrismTracer::step(const Part& part) {
   const Direction& of = directions_[part.element];
   const auto corner = [&](int exit) { return of.corner[(of.firstExit + exit) % 6]; };
   if (part.met > 0 && part.share < smallest_) {
@@ -170,7 +174,7 @@ void PrismTracer::step(const Part& part) {
   }
 }
 
-void PrismTracer::meet(const Part& part, int side, double w0, double w1, double way0, double way1) {
+PARHELION_ALSO_AVX2 void PrismTracer::meet(const Part& part, int side, double w0, double w1, double way0, double way1) {
   ++parts_;
   const Side& at = directions_[part.element].side[side];
   const double perPart = 1.0 / (part.w1 - part.w0), at0 = (w0 - part.w0) * perPart, at1 = (w1 - part.w0) * perPart;

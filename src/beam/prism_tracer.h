@@ -25,6 +25,9 @@ class PrismTracer {
   /// What becomes of light of a unit direction in the crystal's frame.
   void trace(const Vec3& lightDir, PrismLight& light);
 
+  /// How light of a direction comes to the faces: only the shadows and reflectances of trace().
+  void meetOutside(const Vec3& lightDir, PrismLight& light) const;
+
   /// Parts of strips that were followed from side to side so far.
   long parts() const { return parts_; }
 

@@ -11,7 +11,8 @@
 namespace parhelion::cli {
 
 /// Prints on stderr what a run did and how its energy adds up.
-void printLedger(const TraceReport& report);
+/// Whether a signal or the time that was asked for ended a run early is for `ending` to say.
+void printLedger(const TraceReport& report, const char* ending = "interrupted: stopped before all rays were traced");
 
 /// What is told of a run of tracing.
 struct RunFigures {

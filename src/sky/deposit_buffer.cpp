@@ -15,10 +15,17 @@ void DepositBuffer::flush() {
 }
 
 void DepositBuffer::flush(int band) {
+  if (layers_.size() == 1 && !shared_)
+    flush(band, [&only = *layers_.front()](const Deposit&) -> Tally& { return only; });
+  else
+    flush(band, [this](const Deposit& d) -> Tally& { return d.layer == kShared ? *shared_ : *layers_[d.layer]; });
+}
+
+template <class TallyOf>
+void DepositBuffer::flush(int band, const TallyOf& tallyOf) {
   // Some dozen loads may be under way at a time.
   constexpr int kAhead = 12;
   Band& b = bands_[static_cast<std::size_t>(band)];
-  const auto tallyOf = [this](const Deposit& d) -> Tally& { return d.layer == kShared ? *shared_ : *layers_[d.layer]; };
   const std::scoped_lock lock(locks_->bands_[static_cast<std::size_t>(band)]);
   for (int i = 0; i < b.count; ++i) {
     if (i + kAhead < b.count) {
@@ -27,9 +34,9 @@ void DepositBuffer::flush(int band) {
     }
     const Deposit& d = b.deposits[static_cast<std::size_t>(i)];
     if (d.layer == kShared)
-      shared_->addShared(d.pixel, d.light.y, d.light.x);
+      tallyOf(d).addShared(d.pixel, d.light.y, d.light.x);
     else
-      layers_[static_cast<std::size_t>(d.layer)]->addExclusively(d.pixel, d.light, d.firstHalf);
+      tallyOf(d).addExclusively(d.pixel, d.light, d.firstHalf);
   }
   b.count = 0;
 }

@@ -65,6 +65,8 @@ class DepositBuffer {
     if (b.count == kRoom) flush(band);
   }
   void flush(int band);
+  template <class TallyOf>
+  void flush(int band, const TallyOf& tallyOf);
 
   std::vector<Tally*> layers_;
   Tally* shared_;

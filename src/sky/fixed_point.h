@@ -38,13 +38,35 @@ static_assert(SquareTotal::kScale == kSquareScale);
 inline std::int64_t toFixed(double light, double scale = kWeightScale) {
   const double units = light * scale;
   if (!(std::abs(units) < 0x1p63)) rejectLight();
-  return static_cast<std::int64_t>(units + (units < 0.0 ? -0.5 : 0.5));  // the cast cuts toward zero
+  return static_cast<std::int64_t>(units + std::copysign(0.5, units));  // the cast cuts toward zero
 }
 
 /// Adds to a sum. Throws std::overflow_error where the result does not fit.
 inline void addFixed(std::int64_t& sum, std::int64_t amount) {
   if (__builtin_add_overflow(sum, amount, &sum)) rejectLight();
 }
+
+/// The total of many amounts, several times as fast as adding each to a LightTotal: in 64 bits as long as they fit.
+class ManyAmounts {
+ public:
+  void add(std::int64_t amount) {
+    std::int64_t sum = 0;
+    if (__builtin_add_overflow(some_, amount, &sum)) {
+      others_.addUnits(some_);
+      sum = amount;
+    }
+    some_ = sum;
+  }
+  LightTotal total() const {
+    LightTotal all = others_;
+    all.addUnits(some_);
+    return all;
+  }
+
+ private:
+  std::int64_t some_ = 0;
+  LightTotal others_;
+};
 
 /// Light in units of kWeightScale, X and Z over the white's: what one exit, or all exits of a bundle, bring to a place.
 /// Exits are rounded one by one, so that it does not matter how they are told apart.

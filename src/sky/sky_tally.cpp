@@ -18,6 +18,9 @@ SkyTally::SkyTally(TallyInfo info, int colours, std::vector<TallySymmetry> symme
     info.symmetry = symmetry;
     return Tally(info, colours);
   };
+  // Growing would copy tallies, and take half as much memory again.
+  parts_.reserve(std::max<std::size_t>(1, layers_.size()) * symmetries_.size());
+  if (!layers_.empty()) shared_.reserve(symmetries_.size());
   for (const std::string& layer : layers_.empty() ? std::vector<std::string>{""} : layers_)
     for (const TallySymmetry symmetry : symmetries_) parts_.push_back({layer, empty(symmetry)});
   if (!layers_.empty())

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <type_traits>
 
 namespace parhelion {
 
@@ -17,31 +18,50 @@ SkyFilm::SkyFilm(std::vector<Tally*> layers, Tally* shared, std::shared_ptr<Depo
 
 int SkyFilm::add(const TracedRays& traced) {
   const auto& [queue, exits, members, population, mesh, steps] = traced;
-  const bool bothViews = mirrored_ && !foldsPicture(), isLayered = layers_.size() > 1;
-  const Vec3& perWhite = layers_.front()->perWhite();
   const std::size_t room = static_cast<std::size_t>(2 * exits.count + RayQueue::kSpare);
   if (seen_.pixel.size() < room)
     for (auto* row : {&seen_.pixel, &seen_.exit, &seen_.ray}) row->resize(room);
   seen_.count = 0;
   steps.see(camera_, false, exits, seen_);
-  if (bothViews) steps.see(camera_, true, exits, seen_);
+  if (mirrored_ && !foldsPicture()) steps.see(camera_, true, exits, seen_);
 
   byBundle_.sort(queue, seen_.ray, seen_.count);
+  if (layers_.size() > 1)
+    deposit(traced, layeredDeposits_);
+  else
+    deposit(traced, plainDeposits_);
+  return foldsPicture() ? 2 * seen_.count : seen_.count;
+}
+
+template <class Deposits>
+void SkyFilm::deposit(const TracedRays& traced, Deposits& deposits) {
+  constexpr bool kIsLayered = std::is_same_v<Deposits, LayeredDeposits>;
+  const RayQueue& queue = traced.queue;
+  const ExitList& exits = traced.exits;
+  const Vec3 perWhite = layers_.front()->perWhite();
   for (int place = 0; place < queue.count; ++place) {
-    deposits_.clear();
-    for (int i = byBundle_.begin(place); i < byBundle_.begin(place + 1); ++i) {
+    const int begin = byBundle_.begin(place), end = byBundle_.begin(place + 1);
+    if (begin == end) continue;
+    deposits.clear();
+    for (int i = begin; i < end; ++i) {
       const int item = byBundle_.item(i), exit = static_cast<int>(seen_.exit[item]);
+      const int pixel = static_cast<int>(seen_.pixel[item]);
       const Vec3& xyz = queue.light[static_cast<int>(seen_.ray[item])].xyz;
-      deposits_.add(static_cast<int>(seen_.pixel[item]), isLayered ? exits.layer[static_cast<std::size_t>(exit)] : 0,
-                    toFixedLight(exits.energy[exit] * xyz, perWhite));
+      const FixedLight light = toFixedLight(exits.energy[exit] * xyz, perWhite);
+      if constexpr (kIsLayered)
+        deposits.add(pixel, exits.layer[static_cast<std::size_t>(exit)], light);
+      else
+        deposits.add(pixel, light);
     }
     const bool firstHalf = queue.bundle[place] % 2 == 0;
-    for (const auto& [pixel, layer, light] : deposits_.all()) buffer_.add(layer, pixel, light, firstHalf);
-    if (isLayered)
-      deposits_.forShared(
+    if constexpr (kIsLayered) {
+      for (const auto& [pixel, layer, light] : deposits.all()) buffer_.add(layer, pixel, light, firstHalf);
+      deposits.forShared(
           [this](int pixel, std::int64_t squares, std::int64_t hits) { buffer_.addShared(pixel, squares, hits); });
+    } else {
+      for (const auto& [pixel, light] : deposits.all()) buffer_.add(pixel, light, firstHalf);
+    }
   }
-  return foldsPicture() ? 2 * seen_.count : seen_.count;
 }
 
 void SkyFilm::merge(Film& fromThread) { dynamic_cast<SkyFilm&>(fromThread).buffer_.flush(); }

@@ -4,6 +4,7 @@
 #include "sky/camera.h"
 #include "sky/deposit_buffer.h"
 #include "sky/tally.h"
+#include "trace/bundle_bins.h"
 #include "trace/film.h"
 #include "trace/layered_deposits.h"
 
@@ -29,6 +30,10 @@ class SkyFilm : public Film {
   double fullness() const override;
 
  private:
+  /// Deposits what `seen_` holds. Light that is in no layers is spared their sorting.
+  template <class Deposits>
+  void deposit(const TracedRays& traced, Deposits& deposits);
+
   SkyFilm(std::vector<Tally*> layers, Tally* shared, std::shared_ptr<DepositBuffer::Locks> locks);
 
   /// Through a camera that is its own mirror image, the finished picture makes up for a second view of every exit.
@@ -47,7 +52,8 @@ class SkyFilm : public Film {
   Camera camera_;
   std::shared_ptr<DepositBuffer::Locks> locks_;
   DepositBuffer buffer_;
-  LayeredDeposits deposits_;
+  LayeredDeposits layeredDeposits_;
+  BundleDeposits<FixedLight> plainDeposits_;
   ByBundle byBundle_;
   SeenLight seen_;
   bool folded_;  // the tallies' pictures, by finish(), until reopen()

@@ -173,7 +173,7 @@ void drawCrystal(const Output& svg, const CrystalDrawing& drawing, const std::st
     if (status != CAIRO_STATUS_SUCCESS)
       throw std::runtime_error(svg.path.string() + ": " + cairo_status_to_string(status));
   }
-  bytes += "<!-- " + software + " -->\n";
+  bytes.insert(bytes.find('\n') + 1, "<!-- " + software + " -->\n");  // behind the declaration, as in charts
   AtomicFile file(svg);
   file.write(bytes);
   file.commit();

@@ -69,6 +69,7 @@ TEST_CASE("a ray for a place of the sky lights it, and is drawn with its crystal
     nearest = std::min(nearest, std::abs(exit["elevation_deg"].get<double>() - 66.1));
   CHECK(nearest < 2.0);
   REQUIRE(folder("replay s.toml --svg r.svg --ray " + ray.out).exit == 0);
+  CHECK(folder("replay s.toml --svg r.svg --ray " + ray.out).exit == 0);  // over its own drawing
   const std::string svg = readFile(folder / "r.svg");
   CHECK(has(svg, "<svg"));
   CHECK(has(svg, "stroke-dasharray"));  // hidden edges

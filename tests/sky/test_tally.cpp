@@ -37,7 +37,20 @@ TEST_CASE("fixed point rounds to nearest on both sides of zero") {
   CHECK(toFixed(1.4 / kWeightScale) == 1);
   CHECK(toFixed(1.6 / kWeightScale) == 2);
   CHECK(toFixed(-1.6 / kWeightScale) == -2);
+  CHECK(toFixed(-0.0) == 0);
   CHECK(fromFixed(toFixed(0.123456789)) == doctest::Approx(0.123456789).epsilon(1e-8));
+}
+
+TEST_CASE("the total of many amounts is that of each added by itself, beyond 64 bits and of either sign") {
+  constexpr std::int64_t kMost = std::numeric_limits<std::int64_t>::max(), kLeast = -kMost - 1;
+  ManyAmounts many;
+  LightTotal one;
+  for (const std::int64_t amount : {std::int64_t{7}, kMost, kMost, std::int64_t{1}, kLeast, kLeast, kLeast, kLeast,
+                                    std::int64_t{-3}, kMost, kMost, kMost}) {
+    many.add(amount);
+    one.addUnits(amount);
+    CHECK(many.total() == one);
+  }
 }
 
 TEST_CASE("1e9 unit weights in one pixel are exact, where a float stalls at 2^24") {
