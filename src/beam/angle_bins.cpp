@@ -26,12 +26,10 @@ PARHELION_ALSO_AVX2 void AngleBins::addTriangle(const double* angle, const doubl
   if (place[2] < 0.0 || place[0] > size()) return;
   const double last = size() - 1.0;
   const double first = std::floor(std::max(place[0], 0.0)), end = std::min(std::floor(place[2]), last);
-  if (first >= end) {
-    // The range may still reach beyond the first or the last bin.
-    if (place[0] >= first && place[2] <= end + 1.0) {
-      light_[static_cast<std::size_t>(std::min(first, last))] += all;
-      return;
-    }
+  // All in one bin, and nothing beyond the first or the last.
+  if (first >= end && place[0] >= first && place[2] <= end + 1.0) {
+    light_[static_cast<std::size_t>(std::min(first, last))] += all;
+    return;
   }
   // Light below x: a smaller triangle at the lowest corner, or all but one at the highest. Its mean density is that of
   // the corner and of the two places where x cuts the edges: a cubic of the distance from the corner.

@@ -32,11 +32,6 @@ double besidePlanes(double phi, double towards) {
 
 double fraction(double x) { return x - std::floor(x); }
 
-PrismClass classNumbered(int number, int inside) {
-  if (number >= inside) return {number - inside, 0, 0};
-  return {number / (kPrismElements * kPrismFaces), number / kPrismFaces % kPrismElements, number % kPrismFaces};
-}
-
 Triple<double> lightDirAt(double phi, double zeta) {
   const auto [sinPhi, cosPhi] = portable::sincos(phi);
   const auto [sinZeta, cosZeta] = portable::sincos(zeta);
@@ -45,13 +40,13 @@ Triple<double> lightDirAt(double phi, double zeta) {
 
 Vec3 vectorOf(const Triple<double>& v) { return {v.x, v.y, v.z}; }
 
-/// Where light of a class goes that is numbered among those of the inside and those of the outside.
+/// Where light of a class from inside goes, or light that is reflected outside at its entry.
 template <class T>
 PARHELION_INLINE ClassExit<T> exitOf(bool outside, const PrismClass& of, const Triple<T>& lightDir,
                                      const RelativeIndexOf<T>& index) {
   if (!outside) return parhelion::exitOf(of, lightDir, index);
-  const Triple<double> normal = normalOfPrismFace(of.entry);
-  return {lightDir - along(normal, T(2.0 * dotNormal(normal, lightDir))), all<T>(1.0), all<T>(1.0)};
+  const Triple<T> normal = normalOfPrismFace<T>(of.entry);
+  return {reflect(lightDir, normal, T(-dot(normal, lightDir))), all<T>(1.0), all<T>(1.0)};
 }
 
 }  // namespace
@@ -105,15 +100,13 @@ void DirectionPatch::add(const PatchBounds& bounds, int number, Bins& bins) {
 void DirectionPatch::traceNode(int node) {
   const double phi = bounds_.phi0 + (bounds_.phi1 - bounds_.phi0) * (node % kSide) / kCells;
   const double zeta = bounds_.zeta0 + (bounds_.zeta1 - bounds_.zeta0) * (node / kSide) / kCells;
-  const Triple<double> lightDir = lightDirAt(phi, zeta);
-  lightDir_[0][static_cast<std::size_t>(node)] = lightDir.x;
-  lightDir_[1][static_cast<std::size_t>(node)] = lightDir.y;
-  lightDir_[2][static_cast<std::size_t>(node)] = lightDir.z;
+  const double besidePhi = besidePlanes(phi, 0.5 * (bounds_.phi0 + bounds_.phi1));
+  const double besideZeta = std::clamp(zeta, kAside, 0.5 * kPi - kAside);
+  const Vec3 lightDir = vectorOf(lightDirAt(phi, zeta)), beside = vectorOf(lightDirAt(besidePhi, besideZeta));
+  const double perAngles = portable::sin(zeta);
+  for (int k = 0; k < 3; ++k) lightDir_[static_cast<std::size_t>(k)][static_cast<std::size_t>(node)] = lightDir[k];
   totals_[static_cast<std::size_t>(node)] = {};
-  const Triple<double> beside =
-      lightDirAt(besidePlanes(phi, 0.5 * (bounds_.phi0 + bounds_.phi1)), std::clamp(zeta, kAside, 0.5 * kPi - kAside));
-  for (std::size_t k = 0; k < tracers_.size(); ++k)
-    traceLight(node, vectorOf(lightDir), vectorOf(beside), portable::sin(zeta), k);
+  for (std::size_t k = 0; k < tracers_.size(); ++k) traceLight(node, lightDir, beside, perAngles, k);
 }
 
 void DirectionPatch::traceLight(int node, const Vec3& lightDir, const Vec3& beside, double perAngles,
@@ -123,7 +116,7 @@ void DirectionPatch::traceLight(int node, const Vec3& lightDir, const Vec3& besi
   const double ofAll = share * scene_.light.nodeShares()[n];
   ScatterTotals& totals = totals_[static_cast<std::size_t>(node)];
   tracers_[tracer].trace(beside, light_);
-  tracers_[tracer].meetOutside(lightDir, light_);
+  if (beside != lightDir) tracers_[tracer].meetOutside(lightDir, light_);
   totals.intercepted += ofAll * light_.totalShadow();
   totals.path += ofAll * light_.path;
   for (std::size_t order = 0; order < totals.byOrder.size(); ++order)
@@ -146,7 +139,7 @@ void DirectionPatch::traceLight(int node, const Vec3& lightDir, const Vec3& besi
 }
 
 void DirectionPatch::addClass(const Class& c, double start, Bins& bins) {
-  const bool undeviated = c.number < kInside && isUndeviated(classNumbered(c.number, kInside));
+  const bool undeviated = c.goesStraightOn();
   scene_.light.sample(start, samples_);
   for (const IceLight::Sample& sample : samples_) {
     see(c, sample);
@@ -158,20 +151,20 @@ void DirectionPatch::addClass(const Class& c, double start, Bins& bins) {
           for (AngleBins* all : {&bins.fine, &bins.coarse, &bins.other}) all->add(seen_.angle[node], light);
       continue;
     }
-    addTriangles(bins.fine, {c.number, sample.index}, 1);
-    addTriangles(bins.coarse, {c.number, sample.index}, 2);
+    addTriangles(bins.fine, {c.of(), sample.index}, 1);
+    addTriangles(bins.coarse, {c.of(), sample.index}, 2);
   }
   if (undeviated || !scene_.light.isContinuous()) return;
   scene_.light.sample(fraction(start + 0.5), samples_);
   for (const IceLight::Sample& sample : samples_) {
     see(c, sample);
-    if (!isWeak()) addTriangles(bins.other, {c.number, sample.index}, 2);
+    if (!isWeak()) addTriangles(bins.other, {c.of(), sample.index}, 2);
   }
 }
 
 PARHELION_ALSO_AVX2 void DirectionPatch::see(const Class& c, const IceLight::Sample& sample) {
-  const bool outside = c.number >= kInside;
-  const PrismClass of = classNumbered(c.number, kInside);
+  const bool outside = c.isOutside();
+  const PrismClass of = c.of();
   const RelativeIndexOf<Four> index(all<Four>(sample.index));
   const auto row = [&](int k) {
     return c.met[static_cast<std::size_t>(sample.node[static_cast<std::size_t>(k)])].data();
@@ -194,7 +187,7 @@ PARHELION_ALSO_AVX2 void DirectionPatch::see(const Class& c, const IceLight::Sam
 }
 
 void DirectionPatch::count(const Class& c) {
-  const bool undeviated = c.number < kInside && isUndeviated(classNumbered(c.number, kInside));
+  const bool undeviated = c.goesStraightOn();
   for (std::size_t node = 0; node < kNodes; ++node) {
     totals_[node].cosine += seen_.density[node] * seen_.cosine[node];
     if (undeviated) totals_[node].undeviated += seen_.density[node];
@@ -241,7 +234,7 @@ void DirectionPatch::addTriangle(AngleBins& bins, const Exit& exit, const Corner
   const auto between = [&](const Corner& p, const Corner& q) {
     const double phi = 0.5 * (p.phi + q.phi), zeta = 0.5 * (p.zeta + q.zeta), energy = 0.5 * (p.energy + q.energy);
     const Triple<double> s = lightDirAt(phi, zeta);
-    const auto leaves = exitOf(false, classNumbered(exit.number, kInside), s, RelativeIndex(exit.index));
+    const auto leaves = parhelion::exitOf(exit.of, s, exit.index);  // what is reflected outside always leaves
     return Corner{phi,          zeta, energy, energy * leaves.transmittance, angleBetweenUnit(s, leaves.lightDir),
                   leaves.excess};
   };

@@ -42,7 +42,8 @@ class DirectionPatch {
 
  private:
   static constexpr int kSide = kCells + 1, kNodes = kSide * kSide;
-  static constexpr int kInside = kPrismFaces * kPrismElements * kPrismFaces;  // classes; those of the outside follow
+  // By entry, element and exit; those of light that was reflected outside follow, by face.
+  static constexpr int kInside = kPrismFaces * kPrismElements * kPrismFaces, kClasses = kInside + kPrismFaces;
   using Four = Lanes<4>::Real;
   static constexpr int kRoom = (kNodes + 3) / 4 * 4;
   using Row = std::array<double, kRoom>;
@@ -51,6 +52,14 @@ class DirectionPatch {
   struct Class {
     int number;
     std::vector<Row> met;
+
+    bool isOutside() const { return number >= kInside; }
+    /// Of light from inside; of what was reflected outside only the face, as its entry.
+    PrismClass of() const {
+      if (isOutside()) return {number - kInside, 0, 0};
+      return {number / (kPrismElements * kPrismFaces), number / kPrismFaces % kPrismElements, number % kPrismFaces};
+    }
+    bool goesStraightOn() const { return !isOutside() && isUndeviated(of()); }
   };
   /// The same for one index, and what becomes of it.
   struct Seen {
@@ -62,8 +71,8 @@ class DirectionPatch {
   };
   /// The class and the index whose triangles are being added.
   struct Exit {
-    int number;
-    double index;
+    PrismClass of;
+    RelativeIndex index;
   };
 
   Class& classOf(int number);
@@ -86,7 +95,7 @@ class DirectionPatch {
   PatchBounds bounds_{};
   std::array<Row, 3> lightDir_;
   std::array<ScatterTotals, kNodes> totals_;
-  std::array<int, kInside + kPrismFaces> slot_;
+  std::array<int, kClasses> slot_;
   std::vector<Class> classes_;
   int used_ = 0;              // of classes_
   double intercepted_ = 0.0;  // by the patch

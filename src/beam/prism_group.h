@@ -5,7 +5,7 @@
 // six rotations and mirror images of the plane across c, whatever the lengths of the sides. Those in its two ends turn
 // the direction along c around. So all chains of reflections come to twelve.
 
-#include "math/conventions.h"
+#include "math/inline.h"
 
 namespace parhelion {
 
@@ -26,8 +26,9 @@ constexpr int afterReflection(int plane, int side) {
 inline constexpr double kThirdCos[3] = {1.0, -0.5, -0.5};
 inline constexpr double kThirdSin[3] = {0.0, 0.86602540378443864676, -0.86602540378443864676};
 
-/// What an element does to a vector of the plane.
-constexpr Vec2 inPlane(int plane, const Vec2& v) {
+/// What an element does to a vector of the plane: Vec2, or one whose coordinates are lanes.
+template <class Vector>
+PARHELION_INLINE Vector inPlane(int plane, const Vector& v) {
   const double c = kThirdCos[plane % 3], s = kThirdSin[plane % 3];
   if (plane < 3) return {c * v.x - s * v.y, s * v.x + c * v.y};
   return {-(c * v.x + s * v.y), c * v.y - s * v.x};

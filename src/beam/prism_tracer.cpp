@@ -28,6 +28,11 @@ constexpr double kNothing = 1e-12;
 // What meanOfWay() is where light that entered by a side begins.
 constexpr double kStart = 0.5;
 
+Vec3 normalOf(int face) {
+  const auto [x, y, z] = normalOfPrismFace<double>(face);
+  return {x, y, z};
+}
+
 /// The mean of max(0, y) over y from y0 to y1.
 double meanAbove(double y0, double y1) {
   constexpr double kShort = 1e-6;
@@ -39,20 +44,18 @@ double meanAbove(double y0, double y1) {
 }  // namespace
 
 PrismTracer::PrismTracer(const PrismSection& section, double length, double index, double cutShare, bool detailed)
-    : section_(section), length_(length), index_(index), cutShare_(cutShare), detailed_(detailed) {}
+    : section_(section), length_(length), cutShare_(cutShare), into_(index), outOf_(1.0 / index), detailed_(detailed) {}
 
 void PrismTracer::meetOutside(const Vec3& lightDir, PrismLight& light) const {
-  const Triple<double> s{lightDir.x, lightDir.y, lightDir.z};
   for (int face = 0; face < kPrismFaces; ++face) {
-    const double cosine = -dotNormal(normalOfPrismFace(face), s);
+    const double cosine = -glm::dot(normalOf(face), lightDir);
     const double area = face < kUpperEnd ? section_.side[face] * length_ : section_.area;
     light.shadow[face] = cosine > 0.0 ? cosine * area : 0.0;
-    light.reflectance[face] = cosine > 0.0 ? fresnel(cosine, RelativeIndex(index_)).reflectance : 1.0;
+    light.reflectance[face] = cosine > 0.0 ? fresnel(cosine, into_).reflectance : 1.0;
   }
 }
 
 void PrismTracer::trace(const Vec3& lightDir, PrismLight& light) {
-  const double excess = (index_ - 1.0) * (index_ + 1.0);
   meetOutside(lightDir, light);
   light.cutOff.fill(0.0);
   told_ = &light;
@@ -62,23 +65,22 @@ void PrismTracer::trace(const Vec3& lightDir, PrismLight& light) {
   for (int face = 0; face < kPrismFaces; ++face) {
     const double goesIn = light.shadow[face] * (1.0 - light.reflectance[face]);
     if (!(goesIn > 0.0)) continue;
-    const auto [x, y, z] = normalOfPrismFace(face);
-    const Vec3 normal(x, y, z);
+    const Vec3 normal = normalOf(face);
     const double cosine = -glm::dot(normal, lightDir);
     goesIn_ = goesIn;
     smallest_ = least / goesIn;
-    begin(face, (lightDir + (cosine - std::sqrt(excess + cosine * cosine)) * normal) / index_, light);
+    begin(face, refract(lightDir, normal, cosine, fresnel(cosine, into_).cosTheta_t, into_));
   }
 }
 
-void PrismTracer::begin(int entry, const Vec3& inside, PrismLight& light) {
-  arrived_ = &light.arrived[entry];
-  cutOff_ = &light.cutOff[entry];
+void PrismTracer::begin(int entry, const Vec3& inside) {
+  arrived_ = &told_->arrived[entry];
+  cutOff_ = &told_->cutOff[entry];
   for (auto& exits : *arrived_) exits.fill(0.0);
   fromSide_ = entry < kUpperEnd;
   firstEnd_ = inside.z > 0.0 ? kUpperEnd : kLowerEnd;
   const double inPlane = glm::length(Vec2(inside));
-  const double reflectance = fresnel(std::abs(inside.z), RelativeIndex(1.0 / index_)).reflectance;
+  const double reflectance = fresnel(std::abs(inside.z), outOf_).reflectance;
   if (!fromSide_ && inPlane < kStraight) return passStraight(reflectance);
   const double along = std::max(std::abs(inside.z), kAcross);
   rate_ = along / (inPlane * length_);
@@ -109,7 +111,6 @@ void PrismTracer::passStraight(double reflectance) {
 }
 
 PARHELION_ALSO_AVX2 void PrismTracer::prepare(const Vec2& direction, double inPlane) {
-  const RelativeIndex outwards(1.0 / index_);
   for (int e = 0; e < kPlaneElements; ++e) {
     Direction& of = directions_[e];
     const Vec2 d = parhelion::inPlane(e, direction), across(-d.y, d.x);
@@ -124,7 +125,7 @@ PARHELION_ALSO_AVX2 void PrismTracer::prepare(const Vec2& direction, double inPl
       side.slope = along * perCosine;
       // A point at t on the side's tangent has w = -along distance + cosine t, and cosine changes its sign.
       side.turned = -2.0 * along * section_.distance[k];
-      side.reflectance = fresnel(std::abs(cosine[k]) * inPlane, outwards).reflectance;
+      side.reflectance = fresnel(std::abs(cosine[k]) * inPlane, outOf_).reflectance;
       side.next = afterReflection(e, k);
     }
     of.firstExit = 0;
@@ -175,7 +176,6 @@ PARHELION_ALSO_AVX2 void PrismTracer::step(const Part& part) {
 }
 
 PARHELION_ALSO_AVX2 void PrismTracer::meet(const Part& part, int side, double w0, double w1, double way0, double way1) {
-  ++parts_;
   const Side& at = directions_[part.element].side[side];
   const double perPart = 1.0 / (part.w1 - part.w0), at0 = (w0 - part.w0) * perPart, at1 = (w1 - part.w0) * perPart;
   const double y0 = part.y0 + at0 * (part.y1 - part.y0) + rate_ * way0;

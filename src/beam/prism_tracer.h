@@ -28,9 +28,6 @@ class PrismTracer {
   /// How light of a direction comes to the faces: only the shadows and reflectances of trace().
   void meetOutside(const Vec3& lightDir, PrismLight& light) const;
 
-  /// Parts of strips that were followed from side to side so far.
-  long parts() const { return parts_; }
-
  private:
   /// What light of one direction in the plane meets in one side.
   struct Side {
@@ -62,7 +59,7 @@ class PrismTracer {
     int met;  // sides so far
   };
 
-  void begin(int entry, const Vec3& inside, PrismLight& light);
+  void begin(int entry, const Vec3& inside);
   void passStraight(double reflectance);
   void prepare(const Vec2& direction, double inPlane);
   void enterSide(int side);
@@ -72,7 +69,8 @@ class PrismTracer {
   void tellOrders(const Part& met, double light, double sideReflectance, bool goesOn);
 
   PrismSection section_;
-  double length_, index_, cutShare_;
+  double length_, cutShare_;
+  RelativeIndex into_, outOf_;  // ice
   std::array<Direction, kPlaneElements> directions_;
   EndCrossings ends_;
   std::vector<Part> stack_;
@@ -88,7 +86,6 @@ class PrismTracer {
   PrismLight* told_ = nullptr;
   double goesIn_ = 0.0;      // light, in the units of shadows
   double lengthPerY_ = 0.0;  // inside
-  long parts_ = 0;
 };
 
 }  // namespace parhelion

@@ -19,8 +19,6 @@ constexpr double kRegularWidth = kPi / 6.0;
 // Where side faces come to light or turn dark, at odd multiples of 30 degrees, patches end.
 constexpr int kZetaPatches = 6;
 
-// Patches that are made at a time: as many hold their bins in memory.
-constexpr std::size_t kAtATime = 64;
 // A patch is not parted more often than this: it is then 2e-4 degrees between nodes.
 constexpr int kMostDepth = 12;
 // Bins with less light than this share of what they had if it were spread evenly are not refined for their own sake.
@@ -88,22 +86,22 @@ class Integration {
   ScatterIntegral run() {
     std::vector<Patch> todo = firstPatches(scene_.section);
     for (const Patch& patch : todo) area_ += patch.bounds.area();
-    std::vector<PatchLight> made = make(todo);
+    std::vector<PatchLight> made = make(todo, todo.size());
     expect(made);
     while (!todo.empty()) {
       std::vector<Patch> next;
       for (std::size_t k = 0; k < made.size(); ++k) take(todo[k], made[k], next);
       next.insert(next.end(), todo.begin() + static_cast<std::ptrdiff_t>(made.size()), todo.end());
       todo = std::move(next);
-      made = make(todo);
+      made = make(todo, kPatchesAtATime);
     }
     return result();
   }
 
  private:
-  /// The light of the first patches, as many as are made at a time.
-  std::vector<PatchLight> make(const std::vector<Patch>& patches) {
-    std::vector<PatchLight> made(std::min(patches.size(), kAtATime));
+  /// The light of the first patches, so many at most.
+  std::vector<PatchLight> make(const std::vector<Patch>& patches, std::size_t most) {
+    std::vector<PatchLight> made(std::min(patches.size(), most));
     forEach(made.size(), [&](std::size_t k) {
       DirectionPatch patch(scene_, accuracy_.cutShare, accuracy_.detailed);
       const AngleBins none(bins_, from_, to_);

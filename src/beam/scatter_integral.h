@@ -7,6 +7,10 @@
 
 namespace parhelion {
 
+/// Patches of directions that are made at a time: as many hold their bins in memory, three numbers for each. A section
+/// that is not regular has some more in the beginning.
+inline constexpr std::size_t kPatchesAtATime = 64;
+
 /// How finely it is integrated.
 struct ScatterAccuracy {
   /// Aimed at for the root of the mean squared relative error of all bins.

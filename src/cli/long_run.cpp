@@ -206,10 +206,7 @@ void LongRun::writeLastCheckpoint() {
 void LongRun::report() const {
   if (task_.run.quiet) return;
   const std::uint64_t held = sums_.origin().rayCount();
-  if (report_.end == RunEnd::timeOver)
-    printLedger(report_, "the time is over: not all rays were traced");
-  else
-    printLedger(report_);
+  printLedger(report_, report_.end == RunEnd::timeOver);
   if (held != report_.rays) say("with those traced before %" PRIu64 " rays", held);
   if (report_.error)
     say("error: %s%s", percent(*report_.error).c_str(),

@@ -21,7 +21,7 @@ double seconds(const timeval& t) { return static_cast<double>(t.tv_sec) + 1e-6 *
 
 }  // namespace
 
-void printLedger(const TraceReport& report, const char* ending) {
+void printLedger(const TraceReport& report, bool timeIsOver) {
   const EnergyLedger& energy = report.energy;
   const double in = energy.in.value(), per = in > 0.0 ? 1.0 / in : 0.0;
   const double rays = static_cast<double>(report.rays);
@@ -30,7 +30,8 @@ void printLedger(const TraceReport& report, const char* ending) {
   say("%.6g%s rays in %.2f s, %.3g%s rays/s, %.2f hits and %.2f deposits a ray", count.value, count.suffix,
       report.seconds, speed.value, speed.suffix, static_cast<double>(report.hits) / rays,
       static_cast<double>(report.deposits) / rays);
-  if (report.interrupted) say("%s", ending);
+  if (report.interrupted)
+    say(timeIsOver ? "the time is over: not all rays were traced" : "interrupted: stopped before all rays were traced");
   char filtered[40] = "";
   if (energy.filtered.units() != 0)
     std::snprintf(filtered, sizeof filtered, " + filtered %.9f", energy.filtered.value() * per);

@@ -10,9 +10,9 @@
 
 namespace parhelion::cli {
 
-/// Prints on stderr what a run did and how its energy adds up.
-/// Whether a signal or the time that was asked for ended a run early is for `ending` to say.
-void printLedger(const TraceReport& report, const char* ending = "interrupted: stopped before all rays were traced");
+/// Prints on stderr what a run did and how its energy adds up. `timeIsOver`: what ended it early, if anything did, was
+/// the time that was asked for.
+void printLedger(const TraceReport& report, bool timeIsOver);
 
 /// What is told of a run of tracing.
 struct RunFigures {

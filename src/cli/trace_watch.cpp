@@ -70,7 +70,7 @@ TraceControl TraceWatch::control() {
 
 RunFigures TraceWatch::report(const TraceReport& report, const TraceSettings& settings) {
   progress_.finish();
-  if (!options_.quiet) printLedger(report);
+  if (!options_.quiet) printLedger(report, report.seconds >= options_.timeLimit);
   return {settings, report, options_.threads, processUsage().cpuSeconds};
 }
 

@@ -7,8 +7,6 @@
 
 #include "beam/scatter_integral.h"
 #include "crystal/population.h"
-#include "math/overloaded.h"
-#include "math/portable.h"
 #include "optics/ice.h"
 #include "optics/spectrum.h"
 
@@ -72,9 +70,9 @@ std::vector<PrismShare> prismsOf(const PopulationSettings& settings) {
   return prisms;
 }
 
-/// The mean crystal of some that have equal shares of surface each.
-struct MeanCrystal {
-  double crystals = 0.0, volume = 0.0, surface = 0.0, shadow = 0.0;  // sums over crystals
+/// From which the mean crystal follows.
+struct CrystalSums {
+  double crystals = 0.0, volume = 0.0, surface = 0.0, shadow = 0.0;
 };
 
 /// Sums of all populations, each by its share of the light.
@@ -109,10 +107,8 @@ class Sum {
     const double width = (settings_.to - settings_.from) / settings_.bins;
     for (int k = 0; k < settings_.bins; ++k) {
       const auto bin = static_cast<std::size_t>(k);
-      const double from = settings_.from + k * width, to = settings_.from + (k + 1) * width;
       const double light = light_[bin] + (k == 0 && settings_.from == 0.0 ? totals_.undeviated : 0.0);
-      const double solidAngle = 4.0 * kPi * portable::sin(0.5 * (from + to)) * portable::sin(0.5 * (to - from));
-      result_.bins.push_back({from, to, light, std::sqrt(squares_[bin]), 4.0 * kPi * light / solidAngle});
+      result_.bins.push_back(ScatterProfile::binOf(k, settings_.from, width, light, std::sqrt(squares_[bin])));
     }
     result_.summary = summary();
     return std::move(result_);
@@ -144,7 +140,7 @@ class Sum {
   std::vector<double> light_, squares_;
   ScatterTotals totals_;
   double gSquares_ = 0.0, pathSquares_ = 0.0;
-  MeanCrystal mean_;
+  CrystalSums mean_;
   IntegratedProfile result_;
 };
 

@@ -7,6 +7,7 @@
 #include <utility>
 #include <variant>
 
+#include "beam/scatter_integral.h"
 #include "crystal/symmetry.h"
 #include "math/overloaded.h"
 
@@ -89,7 +90,7 @@ std::uint64_t memoryToProfile(int bins, int threads) {
 
 std::uint64_t memoryToIntegrate(int bins, int threads) {
   // Three tables of bins for each of the patches that are made at a time, and a few more.
-  return static_cast<std::uint64_t>(bins) * (64 * 3 + 8) * 8 + memoryOfWorkers(threads);
+  return static_cast<std::uint64_t>(bins) * (kPatchesAtATime * 3 + 8) * sizeof(double) + memoryOfWorkers(threads);
 }
 
 std::uint64_t memoryToComposite(std::uint64_t pixels, std::uint64_t halo) {

@@ -104,16 +104,19 @@ std::unique_ptr<Film> ScatterProfile::forThread() {
   return std::make_unique<ScatterProfile>(sums().size(), from_, to_);
 }
 
+ScatterProfile::Bin ScatterProfile::binOf(int i, double from, double width, double energy, double error) {
+  const double begin = from + i * width, end = from + (i + 1) * width;
+  // cos(begin) - cos(end), in the form that does not cancel for narrow bins.
+  const double solidAngle = 4.0 * kPi * portable::sin(0.5 * (begin + end)) * portable::sin(0.5 * (end - begin));
+  return {begin, end, energy, error, 4.0 * kPi * energy / solidAngle};
+}
+
 std::vector<ScatterProfile::Bin> ScatterProfile::bins() const {
   std::vector<Bin> bins;
   const double all = valueOf(kIntercepted);
-  for (int i = 0; i < sums().size(); ++i) {
-    const double from = from_ + i * width_, to = from_ + (i + 1) * width_;
-    const double energy = all > 0.0 ? sums().light(i) / all : 0.0;
-    // cos(from) - cos(to), in the form that does not cancel for narrow bins.
-    const double solidAngle = 4.0 * kPi * portable::sin(0.5 * (from + to)) * portable::sin(0.5 * (to - from));
-    bins.push_back({from, to, energy, sums().shareError(i, bundles(), all), 4.0 * kPi * energy / solidAngle});
-  }
+  for (int i = 0; i < sums().size(); ++i)
+    bins.push_back(
+        binOf(i, from_, width_, all > 0.0 ? sums().light(i) / all : 0.0, sums().shareError(i, bundles(), all)));
   return bins;
 }
 

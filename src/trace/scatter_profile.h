@@ -34,6 +34,9 @@ class ScatterProfile : public MeasuringFilm {
   };
   std::vector<Bin> bins() const;
 
+  /// Bin `i` of those that are `width` wide and begin at `from`, with its energy and error.
+  static Bin binOf(int i, double from, double width, double energy, double error);
+
   struct Summary {
     std::uint64_t rays;
     double g, gError;                // mean cosine of the scattering angle, and its standard error

@@ -55,7 +55,7 @@ class SingleRays {
   PrismLight::Arrivals arrivals(int entry, const Vec3& lightDir, std::mt19937_64& random) {
     PrismLight::Arrivals met{};
     Vec3 at = pointOn(entry, random);
-    const Vec3 normal = vectorOf(normalOfPrismFace(entry));
+    const Vec3 normal = vectorOf(normalOfPrismFace<double>(entry));
     const double in = -glm::dot(normal, lightDir);
     Vec3 dir = (lightDir + (in - std::sqrt(index_ * index_ - 1.0 + in * in)) * normal) / index_;
     const Vec3 first = dir;
@@ -63,7 +63,7 @@ class SingleRays {
     for (double energy = 1.0; energy > 1e-9;) {
       const int face = nextFace(at, dir, left);
       met[elementOf(first, dir)][face] += energy;
-      const Vec3 n = vectorOf(normalOfPrismFace(face));
+      const Vec3 n = vectorOf(normalOfPrismFace<double>(face));
       energy *= fresnel(glm::dot(n, dir), RelativeIndex(1.0 / index_)).reflectance;
       dir -= 2.0 * glm::dot(n, dir) * n;
       left = face;
@@ -92,7 +92,7 @@ class SingleRays {
     double nearest = 1e300;
     int found = -1;
     for (int face = 0; face < kPrismFaces; ++face) {
-      const Vec3 n = vectorOf(normalOfPrismFace(face));
+      const Vec3 n = vectorOf(normalOfPrismFace<double>(face));
       if (face == left || !(glm::dot(n, dir) > 0.0)) continue;
       const double way = (offset(face) - glm::dot(n, at)) / glm::dot(n, dir);
       if (way < nearest) {

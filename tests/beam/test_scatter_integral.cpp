@@ -100,6 +100,16 @@ TEST_CASE("integrated light of random prisms meets its closed forms") {
   CHECK(externalShare(1.31) == doctest::Approx(0.0627420).epsilon(1e-6));
 }
 
+TEST_CASE("prisms whose sides differ reflect as much outside as all others, and lose nothing") {
+  const ScatterScene scene{PrismSection({0.8, 0.9, 0.75, 0.85, 0.95, 0.7}), {{2.0, 1.0}}, IceLight({{1.31, 1.0}})};
+  const ScatterIntegral integral = integrateScatter(scene, accuracyOf(0.05), 90, 0.0, kPi);
+  CHECK(integral.totals.external == doctest::Approx(externalShare(1.31)).epsilon(1e-5));
+  CHECK(integral.totals.intercepted == doctest::Approx(1.0).epsilon(1e-6));
+  double sum = integral.totals.undeviated + integral.totals.cutOff;
+  for (const double light : integral.light) sum += light;
+  CHECK(sum == doctest::Approx(1.0).epsilon(1e-3));
+}
+
 TEST_CASE("the integral is what rays find, of thin plates and long columns, of weak and strong refraction") {
   for (const double aspect : {0.05, 0.3, 1.0, 3.0}) {
     CAPTURE(aspect);

@@ -59,6 +59,14 @@ TEST_CASE("paths prints a table, and writes the same as CSV and JSON") {
   CHECK(json::parse(folder("paths l.toml --quiet --layer cza --json -").out)["paths"][0]["path"] == "1-3");
 }
 
+TEST_CASE("paths that its time has ended is done, and not interrupted") {
+  const Display folder;
+  const Outcome outcome = folder("paths s.toml --rays 1T --time 0.2s");
+  CHECK(outcome.exit == 0);
+  CHECK(has(outcome.err, "the time is over"));
+  CHECK_FALSE(has(outcome.err, "interrupted"));
+}
+
 TEST_CASE("a ray for a place of the sky lights it, and is drawn with its crystal") {
   const Display folder;
   const Outcome ray = folder("paths s.toml --quiet --ray-for 0,66.1 --radius 2");

@@ -154,23 +154,23 @@ class PatternParser {
 
   /// Takes alternatives if one of them is a halo's name: each becomes a pattern of its own.
   bool takeNames() {
-    std::vector<PathPattern> all;
-    bool hasName = false;
+    struct Alternative {
+      std::size_t begin, end;
+      std::vector<PathPattern> halos;  // empty: a chain
+    };
+    std::vector<Alternative> alternatives;
     std::size_t begin = at_, end = 0;
     do {
       end = endOfAlternative(begin);
-      hasName = hasName || !halosIn(begin, end).empty();
+      alternatives.push_back({begin, end, halosIn(begin, end)});
       begin = end + 1;
     } while (end < text_.size() && text_[end] == '|');
-    if (!hasName) return false;
-    begin = at_;
-    do {
-      end = endOfAlternative(begin);
-      std::vector<PathPattern> known = halosIn(begin, end);
-      if (known.empty()) known.push_back(chainIn(begin, end));
-      std::ranges::move(known, std::back_inserter(all));
-      begin = end + 1;
-    } while (end < text_.size() && text_[end] == '|');
+    if (std::ranges::all_of(alternatives, [](const Alternative& one) { return one.halos.empty(); })) return false;
+    std::vector<PathPattern> all;
+    for (Alternative& one : alternatives) {
+      if (one.halos.empty()) one.halos.push_back(chainIn(one.begin, one.end));
+      std::ranges::move(one.halos, std::back_inserter(all));
+    }
     if (all.size() > kMostAlternatives) failAt("too many alternatives beside names of halos");
     std::string text = std::move(pattern_.text);
     pattern_ = std::move(all.front());
