@@ -30,7 +30,8 @@ void deposit(Sharing sharing, std::span<const PixelDeposit> deposits, int passes
   switch (sharing) {
     case Sharing::bands: {
       DepositBuffer buffer(tally, locks);
-      addAll([&](int pixel, const Vec3& xyz, bool half) { buffer.add(pixel, toFixedLight(xyz, tally.perWhite()), half); });
+      addAll(
+          [&](int pixel, const Vec3& xyz, bool half) { buffer.add(pixel, toFixedLight(xyz, tally.perWhite()), half); });
       return buffer.flush();
     }
     case Sharing::atomics:

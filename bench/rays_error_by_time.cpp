@@ -57,11 +57,13 @@ struct Truth {
 Point measure(const Truth& truth, const Configuration& configuration, std::uint64_t rays) {
   TraceSettings settings = configuration.settings;
   settings.rays = rays;
-  Tally tally = emptyTally(truth.loaded, truth.cloud);
+  LoadedScene loaded = truth.loaded;
+  loaded.scene.trace.symmetry = settings.symmetry;
+  SkyTally tally = emptyTally(loaded, truth.cloud);
   const Stopwatch watch;
   traceTally(tally, truth.cloud, settings, 0, {.threads = 1, .onProgress = {}});
   Point point{rays, watch.read().cpuSeconds, {}, {}};
-  point.plain = compare(plainRadiance(coarser(tally, kCoarser)), truth.coarse);
+  point.plain = compare(plainRadiance(coarser(tally.flattened(), kCoarser)), truth.coarse);
   point.adaptive = compare(reconstruct(tally, AdaptiveSettings{}).image, truth.fine);
   return point;
 }

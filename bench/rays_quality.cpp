@@ -13,22 +13,24 @@ namespace parhelion::bench {
 namespace {
 
 constexpr double kWanted = 0.01;  // relative noise of a pixel
+constexpr double kSunElevation = radians(20.0);
 
 /// Columns in random orientation, in a panorama of 2048 x 1024 pixels.
 Cloud columns() {
-  const SunSettings sun{.elevation = radians(20.0), .diameter = 0.0, .spectrum = MonochromaticSpectrum{550.0}};
+  const SunSettings sun{.elevation = kSunElevation, .diameter = 0.0, .spectrum = MonochromaticSpectrum{550.0}};
   const PopulationSettings columns{"columns", 1.0, PrismSettings{FixedValue{2.0}}, RandomOrientation{}};
   return Cloud(sun, TabulatedIce{}, {{columns}});
 }
 
-Tally panorama() {
+SkyTally panorama(const std::vector<TallySymmetry>& symmetries) {
   TallyInfo info;
+  info.sunElevation = kSunElevation;
   info.camera.projection = Projection::equirectangular;
   info.camera.elevation = 0.0;
   info.camera.fieldOfView = 2.0 * kPi;
   info.camera.width = 2048;
   info.camera.height = 1024;
-  return Tally(info, 1);
+  return SkyTally(info, 1, symmetries);
 }
 
 /// Root mean square of the relative standard errors of the pixels in the ring 22-24 degrees about the sun.
@@ -60,7 +62,7 @@ void measureQuality(const RaysPlan& plan) {
   for (const auto& [symmetry, name, share] : {std::tuple{Symmetry::none, "none", 1.0},
                                               {Symmetry::mirror, "mirror", 1.0},
                                               {Symmetry::radial, "radial", 0.01}}) {
-    const auto run = [&](std::uint64_t count, Tally& tally) {
+    const auto run = [&](std::uint64_t count, SkyTally& tally) {
       TraceSettings settings = tracing(Engine::planes);
       settings.rays = count;
       settings.symmetry = symmetry;
@@ -69,10 +71,11 @@ void measureQuality(const RaysPlan& plan) {
       return watch.read().cpuSeconds;
     };
     // What a run costs however few its rays.
-    Tally empty = panorama(), tally = panorama();
+    const auto symmetries = different(symmetriesOf(cloud, symmetry));
+    SkyTally empty = panorama(symmetries), tally = panorama(symmetries);
     const double fixed = run(1, empty);
     const auto count = static_cast<std::uint64_t>(share * static_cast<double>(rays));
-    const double seconds = run(count, tally), noise = ringNoise(tally, cloud.sun().toCentre());
+    const double seconds = run(count, tally), noise = ringNoise(tally.flattened(), cloud.sun().toCentre());
     csv.row(name, count, seconds, fixed, noise, fixed + (seconds - fixed) * noise * noise / (kWanted * kWanted));
   }
 }

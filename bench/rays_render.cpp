@@ -14,7 +14,7 @@ Tally wholeSky(const Cloud& cloud, int side) {
 
 RenderSpeed renderFor(double seconds, const Cloud& cloud, TraceSettings settings, int side, int threads) {
   Tally tally = wholeSky(cloud, side);
-  SkyFilm film(tally);
+  SkyFilm film({&tally}, nullptr);
   settings.rays = kMaxRays;
   const Stopwatch watch;
   const TraceReport report =

@@ -19,7 +19,7 @@ Tally keptTally(const std::filesystem::path& path, const LoadedScene& loaded) {
   }
   std::fprintf(stderr, "tracing %llu rays: %s\n", static_cast<unsigned long long>(loaded.scene.trace.rays),
                path.stem().c_str());
-  Tally tally = tracePlainly(loaded).tally;
+  Tally tally = tracePlainly(loaded).tally.flattened();
   writeTallyExr(path, tally);
   return tally;
 }
