@@ -19,35 +19,7 @@ constexpr int kUsualClasses = 192;
 // Multiples of these, less their whole parts, are spread evenly (the golden ratio and its square root).
 constexpr double kByClass = 0.6180339887498949, kByPatch = 0.7861513777574233;
 
-// Light in a plane of symmetry of the side faces, or across c, can go round in the prism for ever: a limit that no
-// light beside it comes near. So what becomes of light there is that of light so far beside it (rad).
-constexpr double kAside = 2e-4, kPlanesApart = kPi / 6.0;
-
-/// An azimuth at which no light goes round for ever, on the side of `towards`.
-double besidePlanes(double phi, double towards) {
-  const double plane = std::round(phi / kPlanesApart) * kPlanesApart;
-  if (std::abs(phi - plane) >= kAside) return phi;
-  return towards > plane ? plane + kAside : plane - kAside;
-}
-
 double fraction(double x) { return x - std::floor(x); }
-
-Triple<double> lightDirAt(double phi, double zeta) {
-  const auto [sinPhi, cosPhi] = portable::sincos(phi);
-  const auto [sinZeta, cosZeta] = portable::sincos(zeta);
-  return {sinZeta * cosPhi, sinZeta * sinPhi, -cosZeta};
-}
-
-Vec3 vectorOf(const Triple<double>& v) { return {v.x, v.y, v.z}; }
-
-/// Where light of a class from inside goes, or light that is reflected outside at its entry.
-template <class T>
-PARHELION_INLINE ClassExit<T> exitOf(bool outside, const PrismClass& of, const Triple<T>& lightDir,
-                                     const RelativeIndexOf<T>& index) {
-  if (!outside) return parhelion::exitOf(of, lightDir, index);
-  const Triple<T> normal = normalOfPrismFace<T>(of.entry);
-  return {reflect(lightDir, normal, T(-dot(normal, lightDir))), all<T>(1.0), all<T>(1.0)};
-}
 
 }  // namespace
 
@@ -100,71 +72,63 @@ void DirectionPatch::add(const PatchBounds& bounds, int number, Bins& bins) {
 void DirectionPatch::traceNode(int node) {
   const double phi = bounds_.phi0 + (bounds_.phi1 - bounds_.phi0) * (node % kSide) / kCells;
   const double zeta = bounds_.zeta0 + (bounds_.zeta1 - bounds_.zeta0) * (node / kSide) / kCells;
-  const double besidePhi = besidePlanes(phi, 0.5 * (bounds_.phi0 + bounds_.phi1));
-  const double besideZeta = std::clamp(zeta, kAside, 0.5 * kPi - kAside);
-  const Vec3 lightDir = vectorOf(lightDirAt(phi, zeta)), beside = vectorOf(lightDirAt(besidePhi, besideZeta));
-  const double perAngles = portable::sin(zeta);
-  for (int k = 0; k < 3; ++k) lightDir_[static_cast<std::size_t>(k)][static_cast<std::size_t>(node)] = lightDir[k];
-  totals_[static_cast<std::size_t>(node)] = {};
-  for (std::size_t k = 0; k < tracers_.size(); ++k) traceLight(node, lightDir, beside, perAngles, k);
+  const Triple<double> lightDir = lightDirAt(phi, zeta);
+  const auto k = static_cast<std::size_t>(node);
+  lightDir_[0][k] = lightDir.x;
+  lightDir_[1][k] = lightDir.y;
+  lightDir_[2][k] = lightDir.z;
+  totals_[k] = {};
+  for (std::size_t tracer = 0; tracer < tracers_.size(); ++tracer) {
+    traceAt(tracers_[tracer], phi, zeta, 0.5 * (bounds_.phi0 + bounds_.phi1), light_);
+    takeLight(node, portable::sin(zeta), tracer);
+  }
 }
 
-void DirectionPatch::traceLight(int node, const Vec3& lightDir, const Vec3& beside, double perAngles,
-                                std::size_t tracer) {
+void DirectionPatch::takeLight(int node, double perAngles, std::size_t tracer) {
   const std::size_t indices = scene_.light.nodes().size(), n = tracer % indices;
   const double share = perShadow_[tracer / indices] * perAngles;  // of the prism, at this index
   const double ofAll = share * scene_.light.nodeShares()[n];
   ScatterTotals& totals = totals_[static_cast<std::size_t>(node)];
-  tracers_[tracer].trace(beside, light_);
-  if (beside != lightDir) tracers_[tracer].meetOutside(lightDir, light_);
   totals.intercepted += ofAll * light_.totalShadow();
   totals.path += ofAll * light_.path;
   for (std::size_t order = 0; order < totals.byOrder.size(); ++order)
     totals.byOrder[order] += ofAll * light_.byOrder[order];
-  for (int entry = 0; entry < kPrismFaces; ++entry) {
-    const auto e = static_cast<std::size_t>(entry);
-    if (light_.shadow[e] == 0.0) continue;
-    const double outside = light_.shadow[e] * light_.reflectance[e], goesIn = light_.shadow[e] - outside;
+  for (std::size_t e = 0; e < kPrismFaces; ++e) {
+    const double outside = light_.shadow[e] * light_.reflectance[e];
     totals.external += ofAll * outside;
-    classOf(kInside + entry).met[n][static_cast<std::size_t>(node)] += share * outside;
-    if (!(goesIn > 0.0)) continue;
-    totals.cutOff += ofAll * goesIn * light_.cutOff[e];
-    for (int element = 0; element < kPrismElements; ++element)
-      for (int exit = 0; exit < kPrismFaces; ++exit)
-        if (const double arrived = light_.arrived[e][static_cast<std::size_t>(element)][static_cast<std::size_t>(exit)];
-            arrived > 0.0)
-          classOf((entry * kPrismElements + element) * kPrismFaces + exit).met[n][static_cast<std::size_t>(node)] +=
-              share * goesIn * arrived;
+    totals.cutOff += ofAll * (light_.shadow[e] - outside) * light_.cutOff[e];
   }
+  forEachClass(light_, [&](int number, double light) {
+    classOf(number).met[n][static_cast<std::size_t>(node)] += share * light;
+  });
 }
 
 void DirectionPatch::addClass(const Class& c, double start, Bins& bins) {
-  const bool undeviated = c.goesStraightOn();
+  const bool undeviated = c.of().isUndeviated();
   scene_.light.sample(start, samples_);
   for (const IceLight::Sample& sample : samples_) {
     see(c, sample);
-    count(c);
+    count(c, sample.xyz[1]);
     if (undeviated) continue;
     if (isWeak()) {
       for (std::size_t node = 0; node < kNodes; ++node)
         if (const double light = seen_.density[node] * bounds_.area() / kNodes; light > 0.0)
-          for (AngleBins* all : {&bins.fine, &bins.coarse, &bins.other}) all->add(seen_.angle[node], light);
+          for (AngleBins* all : {&bins.fine, &bins.coarse, &bins.other}) all->add(seen_.angle[node], light, sample.xyz);
       continue;
     }
-    addTriangles(bins.fine, {c.of(), sample.index}, 1);
-    addTriangles(bins.coarse, {c.of(), sample.index}, 2);
+    addTriangles(bins.fine, {c.of(), sample.index, sample.xyz}, 1);
+    addTriangles(bins.coarse, {c.of(), sample.index, sample.xyz}, 2);
   }
   if (undeviated || !scene_.light.isContinuous()) return;
   scene_.light.sample(fraction(start + 0.5), samples_);
   for (const IceLight::Sample& sample : samples_) {
     see(c, sample);
-    if (!isWeak()) addTriangles(bins.other, {c.of(), sample.index}, 2);
+    if (!isWeak()) addTriangles(bins.other, {c.of(), sample.index, sample.xyz}, 2);
   }
 }
 
 PARHELION_ALSO_AVX2 void DirectionPatch::see(const Class& c, const IceLight::Sample& sample) {
-  const bool outside = c.isOutside();
-  const PrismClass of = c.of();
+  const LightClass of = c.of();
   const RelativeIndexOf<Four> index(all<Four>(sample.index));
   const auto row = [&](int k) {
     return c.met[static_cast<std::size_t>(sample.node[static_cast<std::size_t>(k)])].data();
@@ -177,7 +141,7 @@ PARHELION_ALSO_AVX2 void DirectionPatch::see(const Class& c, const IceLight::Sam
     energy = sample.share * higher(energy, Four{});
     const Triple<Four> s{load<Four>(&lightDir_[0][node]), load<Four>(&lightDir_[1][node]),
                          load<Four>(&lightDir_[2][node])};
-    const auto exit = exitOf(outside, of, s, index);
+    const auto exit = of.exit(s, index);
     store(&seen_.energy[node], energy);
     store(&seen_.density[node], Four(energy * exit.transmittance));
     store(&seen_.angle[node], angleBetweenUnit(s, exit.lightDir));
@@ -186,11 +150,11 @@ PARHELION_ALSO_AVX2 void DirectionPatch::see(const Class& c, const IceLight::Sam
   }
 }
 
-void DirectionPatch::count(const Class& c) {
-  const bool undeviated = c.goesStraightOn();
+void DirectionPatch::count(const Class& c, double light) {
+  const bool undeviated = c.of().isUndeviated();
   for (std::size_t node = 0; node < kNodes; ++node) {
-    totals_[node].cosine += seen_.density[node] * seen_.cosine[node];
-    if (undeviated) totals_[node].undeviated += seen_.density[node];
+    totals_[node].cosine += light * seen_.density[node] * seen_.cosine[node];
+    if (undeviated) totals_[node].undeviated += light * seen_.density[node];
   }
 }
 
@@ -229,12 +193,12 @@ void DirectionPatch::addTriangle(AngleBins& bins, const Exit& exit, const Corner
   if (out == 3 || depth == 0) {
     const double angle[3] = {a.angle, b.angle, c.angle};
     const double density[3] = {area * a.density, area * b.density, area * c.density};
-    return bins.addTriangle(angle, density);
+    return bins.addTriangle(angle, density, exit.xyz);
   }
   const auto between = [&](const Corner& p, const Corner& q) {
     const double phi = 0.5 * (p.phi + q.phi), zeta = 0.5 * (p.zeta + q.zeta), energy = 0.5 * (p.energy + q.energy);
     const Triple<double> s = lightDirAt(phi, zeta);
-    const auto leaves = parhelion::exitOf(exit.of, s, exit.index);  // what is reflected outside always leaves
+    const auto leaves = exit.of.exit(s, RelativeIndexOf<double>(exit.index));
     return Corner{phi,          zeta, energy, energy * leaves.transmittance, angleBetweenUnit(s, leaves.lightDir),
                   leaves.excess};
   };

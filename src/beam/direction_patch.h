@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "beam/angle_bins.h"
-#include "beam/prism_tracer.h"
+#include "beam/light_class.h"
 #include "beam/scatter_scene.h"
 
 namespace parhelion {
@@ -42,8 +42,6 @@ class DirectionPatch {
 
  private:
   static constexpr int kSide = kCells + 1, kNodes = kSide * kSide;
-  // By entry, element and exit; those of light that was reflected outside follow, by face.
-  static constexpr int kInside = kPrismFaces * kPrismElements * kPrismFaces, kClasses = kInside + kPrismFaces;
   using Four = Lanes<4>::Real;
   static constexpr int kRoom = (kNodes + 3) / 4 * 4;
   using Row = std::array<double, kRoom>;
@@ -53,13 +51,7 @@ class DirectionPatch {
     int number;
     std::vector<Row> met;
 
-    bool isOutside() const { return number >= kInside; }
-    /// Of light from inside; of what was reflected outside only the face, as its entry.
-    PrismClass of() const {
-      if (isOutside()) return {number - kInside, 0, 0};
-      return {number / (kPrismElements * kPrismFaces), number / kPrismFaces % kPrismElements, number % kPrismFaces};
-    }
-    bool goesStraightOn() const { return !isOutside() && isUndeviated(of()); }
+    LightClass of() const { return LightClass(number); }
   };
   /// The same for one index, and what becomes of it.
   struct Seen {
@@ -71,17 +63,18 @@ class DirectionPatch {
   };
   /// The class and the index whose triangles are being added.
   struct Exit {
-    PrismClass of;
+    LightClass of;
     RelativeIndex index;
+    Tristimulus xyz;
   };
 
   Class& classOf(int number);
   void traceNode(int node);
-  /// What becomes of light inside is that of `beside`.
-  void traceLight(int node, const Vec3& lightDir, const Vec3& beside, double perAngles, std::size_t tracer);
+  void takeLight(int node, double perAngles, std::size_t tracer);
   void addClass(const Class& c, double start, Bins& bins);
   void see(const Class& c, const IceLight::Sample& sample);
-  void count(const Class& c);
+  /// `light`: Y of a unit of it.
+  void count(const Class& c, double light);
   bool isWeak() const;
   void addTriangles(AngleBins& bins, const Exit& exit, int step) const;
   void addTriangle(AngleBins& bins, const Exit& exit, const Corner& a, const Corner& b, const Corner& c, double area,
@@ -95,7 +88,7 @@ class DirectionPatch {
   PatchBounds bounds_{};
   std::array<Row, 3> lightDir_;
   std::array<ScatterTotals, kNodes> totals_;
-  std::array<int, kClasses> slot_;
+  std::array<int, kLightClasses> slot_;
   std::vector<Class> classes_;
   int used_ = 0;              // of classes_
   double intercepted_ = 0.0;  // by the patch

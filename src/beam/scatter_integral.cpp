@@ -43,7 +43,7 @@ double square(double x) { return x * x; }
 
 /// What a patch brings, and what half as many nodes would bring more.
 struct PatchLight {
-  std::vector<double> light, excess;
+  std::vector<double> light, x, z, excess;
   std::vector<double> sampled;  // what other samples of continuous light would bring more; empty for lines
   ScatterTotals totals, coarse;
 };
@@ -78,7 +78,7 @@ class Integration {
   Integration(const ScatterScene& scene, const ScatterAccuracy& accuracy, int bins, double from, double to)
       : scene_(scene), accuracy_(accuracy), bins_(bins), from_(from), to_(to) {
     const auto size = static_cast<std::size_t>(bins);
-    sum_.assign(size, 0.0);
+    for (auto* sums : {&sum_, &x_, &z_}) sums->assign(size, 0.0);
     systematic_.assign(size, 0.0);
     mixed_.assign(size, 0.0);
   }
@@ -107,13 +107,16 @@ class Integration {
       const AngleBins none(bins_, from_, to_);
       DirectionPatch::Bins bins{none, none, none};
       patch.add(patches[k].bounds, result_.patches + static_cast<int>(k), bins);
-      std::vector<double>&fine = bins.fine.light(), &coarse = bins.coarse.light(), &other = bins.other.light();
-      for (std::size_t bin = 0; bin < fine.size(); ++bin) {
-        other[bin] -= coarse[bin];
-        coarse[bin] -= fine[bin];
+      PatchLight& light = made[k];
+      for (std::size_t bin = 0; bin < none.bins(); ++bin) {
+        light.light.push_back(bins.fine.light(bin));
+        light.x.push_back(bins.fine.light(bin, 0));
+        light.z.push_back(bins.fine.light(bin, 2));
+        light.excess.push_back(bins.coarse.light(bin) - bins.fine.light(bin));
+        if (scene_.light.isContinuous()) light.sampled.push_back(bins.other.light(bin) - bins.coarse.light(bin));
       }
-      if (!scene_.light.isContinuous()) other.clear();
-      made[k] = {std::move(fine), std::move(coarse), std::move(other), patch.totals(1), patch.totals(2)};
+      light.totals = patch.totals(1);
+      light.coarse = patch.totals(2);
     });
     result_.patches += static_cast<int>(made.size());
     return made;
@@ -154,6 +157,8 @@ class Integration {
     }
     for (std::size_t bin = 0; bin < sum_.size(); ++bin) {
       sum_[bin] += made.light[bin];
+      x_[bin] += made.x[bin];
+      z_[bin] += made.z[bin];
       systematic_[bin] += made.excess[bin];
       mixed_[bin] += made.excess[bin] * made.excess[bin];
     }
@@ -172,6 +177,8 @@ class Integration {
     std::vector<double> squares;
     for (std::size_t bin = 0; bin < sum_.size(); ++bin) {
       result_.light.push_back(per * sum_[bin]);
+      result_.x.push_back(per * x_[bin]);
+      result_.z.push_back(per * z_[bin]);
       const double systematic = kSystematic * systematic_[bin];
       squares.push_back(systematic * systematic + kMixed * kMixed * mixed_[bin]);
     }
@@ -201,7 +208,7 @@ class Integration {
   ScatterAccuracy accuracy_;
   int bins_;
   double from_, to_, area_ = 0.0;
-  std::vector<double> expected_, sum_, systematic_, mixed_;
+  std::vector<double> expected_, sum_, x_, z_, systematic_, mixed_;
   ScatterTotals totals_, difference_;
   double intercepted_ = 0.0, path_ = 0.0;  // by the first patches
   double cosineSquares_ = 0.0, pathSquares_ = 0.0;

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/commands.h"
+#include "cli/integral_run.h"
 #include "cli/long_run.h"
 #include "cli/number_options.h"
 #include "cli/outputs.h"
@@ -66,32 +67,16 @@ nlohmann::ordered_json json(const ScatterProfile::Summary& s) {
   return json;
 }
 
-/// Options that are about rays.
-constexpr std::array kOfRays{"--rays",  "--seed",      "--sampler", "--time",       "--simd",
-                             "--slice", "--ray-range", "--resume",  "--checkpoint", "--tally"};
-
 nlohmann::ordered_json statsOf(const IntegratedProfile& profile, double seconds, int threads) {
-  nlohmann::ordered_json json;
-  json["rays"] = 0;
-  json["hits"] = 0;
-  json["deposits"] = 0;
+  nlohmann::ordered_json json = integralStats(seconds, threads, profile.summary.cutOff);
   json["directions"] = profile.directions;
   json["patches"] = profile.patches;
-  json["seconds"] = seconds;
-  json["cpu_seconds"] = processUsage().cpuSeconds;
-  json["rays_per_second"] = 0.0;
-  json["engine"] = nameOf(Engine::integral);
-  json["threads"] = threadCount(threads);
-  json["peak_memory_bytes"] = processUsage().peakMemory;
-  const double cutOff = profile.summary.cutOff;
-  json["energy"] = {{"in", 1.0}, {"out", 1.0 - cutOff}, {"absorbed", 0.0}, {"cut_off", cutOff}, {"lost", 0.0}};
   json["reached"] = profile.reached;
   return json;
 }
 
 int runIntegral(const ProfileOptions& options, const CLI::App& command, const Scene& scene) {
-  for (const char* option : kOfRays)
-    if (command.count(option) > 0) throw Unfit(option + std::string(": the integral engine follows no rays"));
+  refuseRayOptions(command);
   if (const std::string objection = objectionToIntegral(scene); !objection.empty())
     throw Unfit("engine integral: " + objection + "; rays can do it, with another engine, such as auto");
   IntegralProfileSettings settings{options.bins, radians(options.from), radians(options.to)};

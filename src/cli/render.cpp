@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/commands.h"
+#include "cli/integral_run.h"
 #include "cli/long_run.h"
 #include "cli/outputs.h"
 #include "cli/picture.h"
+#include "cli/say.h"
+#include "cli/stats.h"
+#include "parallel/run_clock.h"
 #include "parallel/threads.h"
 #include "picture/memory_limit.h"
+#include "render/integrated_sky.h"
 #include "render/needs.h"
 #include "render/sky_files.h"
 #include "render/sky_sums.h"
@@ -57,6 +62,9 @@ class Development {
   std::uint64_t rays_ = 0;  // that it was made of
 };
 
+// Of a picture that is integrated, when none is asked for.
+constexpr double kIntegralError = 0.01;
+
 /// Where a picture's tally goes; empty for a picture that goes nowhere.
 std::filesystem::path tallyOf(const SkyFiles& files) {
   if (isStream(files.exr)) return {};
@@ -64,8 +72,47 @@ std::filesystem::path tallyOf(const SkyFiles& files) {
   return tally.replace_extension(".tally.exr");
 }
 
-int runRender(const RenderOptions& options, Tracers& tracers) {
+int renderIntegral(const RenderOptions& options, const CLI::App& command, const LoadedScene& loaded) {
+  refuseRayOptions(command);
+  if (const std::string objection = objectionToIntegratedSky(loaded.scene); !objection.empty())
+    throw Unfit("engine integral: " + objection + "; rays can do it, with another engine, such as auto");
+  const std::string& scene = options.run.scene;
+  SkyFiles files = options.picture.files(scene);
+  const SkySize size = skySizeOf(loaded.scene);
+  requireMemory("the picture", memoryToIntegrate(size));
+  Transaction outputs = claimOutputs({{scene},
+                                      {files.exr, files.png, options.run.stats},
+                                      {},
+                                      {{files.exr, leastBytesOfPicture(size, loaded.scene.recon)}}},
+                                     options.run.overwrite);
+  const double goal = options.longRun.error.empty() ? kIntegralError : options.longRun.goal();
+  const RunClock clock;
+  IntegratedSky sky = withThreads(options.run.threads, [&] { return integrateSky(loaded, goal); });
+  const double seconds = clock.seconds();
+  if (!options.run.quiet) {
+    say("%ld sheets of orientations from %ld directions in %.2f s: mean relative error %.2g", sky.sheets,
+        sky.directions, seconds, sky.error);
+    say("energy: in 1 = out %.9f + cut off %.3g", 1.0 - sky.cutOff, sky.cutOff);
+  }
+  if (!sky.reached) say("warning: the error asked for was not reached; the picture has its errors as they are");
+  files.run = &outputs;
+  const WrittenSky written = writeSkyFiles(files, std::move(sky.image), sky.info, loaded);
+  if (!options.run.stats.empty()) {
+    nlohmann::ordered_json json = integralStats(seconds, options.run.threads, sky.cutOff);
+    json["directions"] = sky.directions;
+    json["sheets"] = sky.sheets;
+    json["error"] = sky.error;
+    json["reached"] = sky.reached;
+    writeJson(outputs.at(options.run.stats), json);
+  }
+  outputs.commit();
+  if (!options.run.quiet) reportPicture(files, written, {});
+  return kDone;
+}
+
+int runRender(const RenderOptions& options, const CLI::App& command, Tracers& tracers) {
   const LoadedScene loaded = options.run.load();
+  if (loaded.scene.trace.engine == Engine::integral) return renderIntegral(options, command, loaded);
   const std::string& scene = options.run.scene;
   SkyFiles files = options.picture.files(scene);
   const Cloud cloud = cloudOf(loaded.scene);
@@ -109,7 +156,8 @@ void addRender(CLI::App& app, int& exit, Tracers& tracers) {
   options->run.addTo(*command, true);
   options->longRun.addTo(*command, LongRunOptions::Keeps::tallyBeside);
   options->picture.addTo(*command);
-  command->callback([options, &exit, &tracers] { exit = runRender(*options, tracers); });
+  options->run.mayIntegrate = true;
+  command->callback([options, command, &exit, &tracers] { exit = runRender(*options, *command, tracers); });
 }
 
 }  // namespace parhelion::cli

@@ -170,7 +170,9 @@ LoadedScene RunOptions::load(const std::vector<std::string>& more) const {
   if (!sceneText_) sceneText_ = sceneTextOf(scene);
   LoadedScene loaded = parsedScene(all);
   if (loaded.scene.trace.engine == Engine::integral && !mayIntegrate)
-    throw Unfit("engine integral: it makes profiles; all else takes rays, with another engine, such as auto");
+    throw Unfit(
+        "engine integral: it makes pictures (render) and profiles; all else takes rays, with another engine, such as "
+        "auto");
   return loaded;
 }
 

@@ -6,69 +6,11 @@
 #include <stdexcept>
 
 #include "beam/scatter_integral.h"
-#include "crystal/population.h"
-#include "optics/ice.h"
-#include "optics/spectrum.h"
+#include "render/prism_populations.h"
 
 namespace parhelion {
 
 namespace {
-
-// Crystals of spread aspect ratios are as many, each with the same share of the surface.
-constexpr int kAspects = 16;
-// Nodes at which the spectrum's light is added up, and at which its indices are kept.
-constexpr int kSpectrumNodes = 4096, kIndexNodes = 256;
-
-/// The indices of continuous light at even shares of it.
-std::vector<double> indicesAtShares(const Spectrum& spectrum, const IceSettings& ice) {
-  std::vector<double> light{0.0}, wavelengths;
-  for (int k = 0; k < kSpectrumNodes; ++k) {
-    const SpectralSample sample = spectrum.sample((k + 0.5) / kSpectrumNodes);
-    wavelengths.push_back(sample.wavelength);
-    light.push_back(light.back() + sample.light);
-  }
-  std::vector<double> indices;
-  std::size_t cell = 0;
-  for (int k = 0; k <= kIndexNodes; ++k) {
-    const double wanted = light.back() * k / kIndexNodes;
-    while (cell + 1 < wavelengths.size() && light[cell + 1] < wanted) ++cell;
-    // Within a cell, from half-way before its wavelength to half-way behind.
-    const double before = wavelengths[cell == 0 ? 0 : cell - 1],
-                 behind = wavelengths[std::min(cell + 1, wavelengths.size() - 1)];
-    const double t = std::clamp((wanted - light[cell]) / (light[cell + 1] - light[cell]), 0.0, 1.0);
-    const double from = 0.5 * (before + wavelengths[cell]), to = 0.5 * (wavelengths[cell] + behind);
-    indices.push_back(refractiveIndex(ice, from + t * (to - from)));
-  }
-  return indices;
-}
-
-IceLight iceLightOf(const Scene& scene) {
-  const Spectrum spectrum(scene.sun.spectrum);
-  if (spectrum.lines().empty() && std::holds_alternative<TabulatedIce>(scene.ice))
-    return IceLight::continuous(indicesAtShares(spectrum, scene.ice));
-  if (const auto* mixture = std::get_if<IceMixture>(&scene.ice)) {
-    std::vector<IndexShare> all;
-    for (const double index : mixture->indices)
-      all.push_back({index, 1.0 / static_cast<double>(mixture->indices.size())});
-    return IceLight(all);
-  }
-  if (const auto* constant = std::get_if<ConstantIce>(&scene.ice)) return IceLight({{constant->index, 1.0}});
-  std::vector<IndexShare> lines;
-  for (const SpectralSample& line : spectrum.lines())
-    lines.push_back(
-        {refractiveIndex(scene.ice, line.wavelength), line.light / static_cast<double>(spectrum.lines().size())});
-  return IceLight(lines);
-}
-
-/// Lengths of a population's prisms, each with its share of the surface.
-std::vector<PrismShare> prismsOf(const PopulationSettings& settings) {
-  const Population population(settings);
-  const AngleQuantile* stretch = population.stretch();
-  if (!stretch) return {{2.0 * std::get<FixedValue>(std::get<PrismSettings>(settings.shape).aspect).value, 1.0}};
-  std::vector<PrismShare> prisms;
-  for (int k = 0; k < kAspects; ++k) prisms.push_back({2.0 * stretch->at((k + 0.5) / kAspects), 1.0 / kAspects});
-  return prisms;
-}
 
 /// From which the mean crystal follows.
 struct CrystalSums {
@@ -149,10 +91,8 @@ class Sum {
 std::string objectionToIntegral(const Scene& scene) {
   if (scene.trace.paths.filter) return "light is filtered by its raypaths";
   for (const PopulationSettings& population : scene.populations) {
-    const std::string name = "population " + population.name;
-    if (!std::holds_alternative<PrismSettings>(population.shape)) return name + " has crystals that are no prisms";
-    if (!std::holds_alternative<RandomOrientation>(population.orientation))
-      return name + " is not randomly oriented, and has another profile for each place of the sun";
+    if (const std::string objection = objectionTo(population, true); !objection.empty())
+      return "population " + population.name + " " + objection;
   }
   return {};
 }

@@ -93,6 +93,14 @@ std::uint64_t memoryToIntegrate(int bins, int threads) {
   return static_cast<std::uint64_t>(bins) * (kPatchesAtATime * 3 + 8) * sizeof(double) + memoryOfWorkers(threads);
 }
 
+std::uint64_t memoryToIntegrate(const SkySize& size) {
+  // Films of groups of sheets with four numbers a pixel, a population's light and that of all, tables and the image.
+  constexpr std::uint64_t kIntegralBytes = 8 * 32 + 24 + 16 + 80 + 60, kLayerBytes = 36, kTables = 200'000'000;
+  return static_cast<std::uint64_t>(size.pixels) *
+             (kIntegralBytes + static_cast<std::uint64_t>(size.layers) * kLayerBytes) +
+         kTables;
+}
+
 std::uint64_t memoryToComposite(std::uint64_t pixels, std::uint64_t halo) {
   // The halo is made when the mask, a byte a pixel, is there, and long before the picture is written.
   return std::max(pixels * kCompositeBytes, pixels + halo);

@@ -29,6 +29,7 @@ std::uint64_t memoryToReconstruct(const SkySize& size, const ReconSettings& sett
 std::uint64_t memoryToMap(int binsPerHalfTurn, int threads);
 std::uint64_t memoryToProfile(int bins, int threads);
 std::uint64_t memoryToIntegrate(int bins, int threads);
+std::uint64_t memoryToIntegrate(const SkySize& size);
 
 /// To set a halo, which takes `halo` bytes to be made, into a photograph of so many pixels, the photograph itself
 /// aside.

@@ -26,19 +26,24 @@ TraceSettings chosenSettings(const Cloud& cloud, const TraceSettings& asked) {
   return chosen;
 }
 
-SkyTally emptyTally(const LoadedScene& loaded, const Cloud& cloud) {
+TallyInfo skyInfoOf(const LoadedScene& loaded) {
   const Scene& scene = loaded.scene;
-  const TraceSettings chosen = chosenSettings(cloud, scene.trace);
   TallyInfo info;
-  info.sceneHash = hashOf(talliedKeys(scene, chosen));
-  info.numerics = kNumericsVersion;
-  info.seed = chosen.seed;
-  info.white = cloud.spectrum().white();
+  info.white = Spectrum(scene.sun.spectrum).white();
   info.sunElevation = scene.sun.elevation;
   info.sunDiameter = scene.sun.diameter;
   info.camera = scene.camera;
   info.scene = loaded.text;
   info.version = PARHELION_VERSION;
+  return info;
+}
+
+SkyTally emptyTally(const LoadedScene& loaded, const Cloud& cloud) {
+  const TraceSettings chosen = chosenSettings(cloud, loaded.scene.trace);
+  TallyInfo info = skyInfoOf(loaded);
+  info.sceneHash = hashOf(talliedKeys(loaded.scene, chosen));
+  info.numerics = kNumericsVersion;
+  info.seed = chosen.seed;
   std::vector<std::string> layers;
   for (const LayerSettings& layer : chosen.paths.layers) layers.push_back(layer.name);
   return SkyTally(info, cloud.spectrum().colours(), different(symmetriesOf(cloud, chosen.symmetry)), layers);

@@ -25,6 +25,9 @@ struct TracedSky {
   SkyTally tally;
 };
 
+/// What is known of a scene's sky before any light is in it, but for what its light is traced by.
+TallyInfo skyInfoOf(const LoadedScene& loaded);
+
 /// A tally of a scene's camera with all that is known before its rays are traced by this version of the program.
 /// `cloud` is the scene's.
 SkyTally emptyTally(const LoadedScene& loaded, const Cloud& cloud);

@@ -16,6 +16,8 @@ using namespace parhelion;
 
 namespace {
 
+constexpr Tristimulus kGrey{1.0, 1.0, 1.0};
+
 ScatterScene randomPrisms(double aspect, double index) {
   return {PrismSection(), {{2.0 * aspect, 1.0}}, IceLight({{index, 1.0}})};
 }
@@ -59,12 +61,12 @@ double chiSquareAgainstRays(double aspect, double index, double error) {
 TEST_CASE("triangles of light keep all of it, and put it where it is") {
   AngleBins bins(100, 0.0, 1.0);
   const double angle[3] = {0.31, 0.12, 0.62}, density[3] = {1.0, 3.0, 2.0};
-  bins.addTriangle(angle, density);
+  bins.addTriangle(angle, density, kGrey);
   double sum = 0.0, first = 0.0;
   for (std::size_t k = 0; k < 100; ++k) {
-    sum += bins.light()[k];
-    first += bins.light()[k] * (static_cast<double>(k) + 0.5) / 100.0;
-    CHECK(bins.light()[k] > -1e-15);
+    sum += bins.light(k);
+    first += bins.light(k) * (static_cast<double>(k) + 0.5) / 100.0;
+    CHECK(bins.light(k) > -1e-15);
   }
   CHECK(sum == doctest::Approx(2.0).epsilon(1e-13));
   // The mean of a product of two linear functions over a triangle.
@@ -75,13 +77,13 @@ TEST_CASE("triangles of light keep all of it, and put it where it is") {
 
   // Outside the bins, in one bin, at both ends.
   AngleBins few(2, 0.2, 0.4);
-  few.addTriangle(angle, density);
+  few.addTriangle(angle, density, kGrey);
   double inside = 0.0;
-  for (std::size_t k = 20; k < 40; ++k) inside += bins.light()[k];
-  CHECK(few.light()[0] + few.light()[1] == doctest::Approx(inside).epsilon(1e-13));
+  for (std::size_t k = 20; k < 40; ++k) inside += bins.light(k);
+  CHECK(few.light(0) + few.light(1) == doctest::Approx(inside).epsilon(1e-13));
   const double same[3] = {0.3, 0.3, 0.3}, ends[3] = {0.4, 0.4, 0.4}, beyond[3] = {0.5, 0.6, 0.7};
-  for (const double* all : {same, ends, beyond}) few.addTriangle(all, density);
-  CHECK(few.light()[0] + few.light()[1] == doctest::Approx(inside + 4.0).epsilon(1e-13));
+  for (const double* all : {same, ends, beyond}) few.addTriangle(all, density, kGrey);
+  CHECK(few.light(0) + few.light(1) == doctest::Approx(inside + 4.0).epsilon(1e-13));
 }
 
 TEST_CASE("integrated light of random prisms meets its closed forms") {

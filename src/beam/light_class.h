@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "beam/prism_light.h"
+#include "beam/prism_tracer.h"
+
+// All light of a class (PrismClass) leaves a prism in one direction, and so does what a face reflects outside. Both are
+// told by numbers here.
+
+namespace parhelion {
+
+/// Numbers of classes from inside, and of all: what is reflected outside follows, by face.
+inline constexpr int kInsideClasses = kPrismFaces * kPrismElements * kPrismFaces;
+inline constexpr int kLightClasses = kInsideClasses + kPrismFaces;
+
+/// What a number stands for.
+struct LightClass {
+  PrismClass of;  // of what is reflected outside only the entry counts
+  bool outside;
+
+  explicit LightClass(int number)
+      : of(number < kInsideClasses ? PrismClass{number / (kPrismElements * kPrismFaces),
+                                                number / kPrismFaces % kPrismElements, number % kPrismFaces}
+                                   : PrismClass{number - kInsideClasses, 0, 0}),
+        outside(number >= kInsideClasses) {}
+
+  bool isUndeviated() const { return !outside && parhelion::isUndeviated(of); }
+
+  /// Where its light goes.
+  template <class T>
+  PARHELION_INLINE ClassExit<T> exit(const Triple<T>& lightDir, const RelativeIndexOf<T>& index) const {
+    if (!outside) return exitOf(of, lightDir, index);
+    const Triple<T> normal = normalOfPrismFace<T>(of.entry);
+    return {reflect(lightDir, normal, T(-dot(normal, lightDir))), all<T>(1.0), all<T>(1.0)};
+  }
+};
+
+/// Calls f(number, light) for each class with light: what meets its exit, in the units of shadows.
+template <class F>
+void forEachClass(const PrismLight& light, const F& f) {
+  for (int entry = 0; entry < kPrismFaces; ++entry) {
+    const auto e = static_cast<std::size_t>(entry);
+    if (light.shadow[e] == 0.0) continue;
+    const double outside = light.shadow[e] * light.reflectance[e], goesIn = light.shadow[e] - outside;
+    f(kInsideClasses + entry, outside);
+    if (!(goesIn > 0.0)) continue;
+    for (int element = 0; element < kPrismElements; ++element)
+      for (int exit = 0; exit < kPrismFaces; ++exit)
+        if (const double arrived = light.arrived[e][static_cast<std::size_t>(element)][static_cast<std::size_t>(exit)];
+            arrived > 0.0)
+          f((entry * kPrismElements + element) * kPrismFaces + exit, goesIn * arrived);
+  }
+}
+
+/// A direction of light in the crystal's frame by its azimuth and its angle from -c (rad).
+Triple<double> lightDirAt(double phi, double zeta);
+
+/// Traces light of a direction. Light in a plane of symmetry of the side faces, or across c, can go round in the prism
+/// for ever: a limit that no light beside it comes near. There what becomes of it inside is that of light 0.01 degrees
+/// beside, on the side of azimuth `towards`.
+void traceAt(PrismTracer& tracer, double phi, double zeta, double towards, PrismLight& light);
+
+}  // namespace parhelion

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "beam/light_class.h"
+#include "beam/prism_section.h"
+#include "beam/scatter_scene.h"
+#include "math/lanes.h"
+
+namespace parhelion {
+
+/// What becomes of light of all directions in regular prisms: traced at the nodes of a grid, linear between them.
+///
+/// Columns are azimuths in the crystal's frame from 0 to 30 degrees, and rows are angles from -c, from 0 to 90 degrees;
+/// all other directions follow by the prism's symmetry. Rows are traced as they are needed.
+class LightTable {
+ public:
+  using Four = Lanes<4>::Real;
+
+  /// What prisms (shares of one surface) do to light of each index. `columns` and `rows`: cells along the azimuth and
+  /// the angle. `cutShare` as PrismTracer has it.
+  LightTable(std::vector<PrismShare> prisms, std::vector<double> indices, int columns, int rows, double cutShare);
+
+  int columns() const { return columns_; }
+  int rows() const { return rows_; }
+
+  /// Numbers that a row of nodes takes, with some behind the last one.
+  int room() const { return room_; }
+
+  double azimuthAt(int column) const { return kPi / 6.0 * column / columns_; }
+
+  /// Where among the rows an angle from -c lies.
+  double placeOf(double zeta) const { return zeta * (2.0 / kPi) * rows_; }
+
+  /// Traces all rows between two angles that are not traced yet, in parallel.
+  void prepare(double zeta0, double zeta1);
+
+  /// Numbers of the classes (LightClass) that have light in any row that was traced.
+  const std::vector<int>& classes() const { return classes_; }
+
+  /// How much of each index's table makes the light of another index: parts that add up to 1.
+  std::vector<double> partsOf(double index) const;
+
+  /// The light that meets a class's exit at each node of an angle, which must have been prepared; per surface, in units
+  /// of mean shadows. Returns false, and leaves `light` as it is, where there is none.
+  bool lightAt(double zeta, int number, const std::vector<double>& parts, double* light) const;
+
+  /// What crystals intercept at that angle, and what was cut off: the means over the azimuths.
+  struct Totals {
+    double intercepted = 0.0, cutOff = 0.0;
+  };
+  Totals totalsAt(double zeta, const std::vector<double>& parts) const;
+
+  long directions() const { return directions_; }
+
+ private:
+  struct Row {
+    bool traced = false;
+    std::vector<short> slot;     // of each class; negative without light
+    std::vector<float> light;    // by slot, index and column
+    std::vector<Totals> totals;  // by index
+  };
+  Row traced(int row) const;
+  void findClasses();
+
+  PrismSection section_;
+  std::vector<PrismShare> prisms_;
+  std::vector<double> indices_;
+  int columns_, rows_, room_;
+  double cutShare_;
+  std::vector<Row> table_;
+  std::vector<int> classes_;
+  long directions_ = 0;
+};
+
+}  // namespace parhelion

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <functional>
+#include <vector>
+
+#include "beam/orientation_sheet.h"
+
+namespace parhelion {
+
+/// An index, and the colour of the light that meets it.
+struct IndexColour {
+  double index;
+  Tristimulus xyz;
+};
+
+/// Prisms whose c axes have a distribution of tilts, all azimuths and all rolls, under a sun. All functions take
+/// numbers in (0, 1), over which they are distributions.
+struct AxisScene {
+  std::vector<PrismShare> prisms;             // shares of their surface
+  std::vector<double> indices;                // at which light is traced; all others lie between them
+  std::function<double(double)> tilt;         // of c from the zenith, rad
+  std::function<Vec3(double, double)> toSun;  // points of the disc: unit, world
+  std::function<IndexColour(double)> light;   // means of colours are that of white light
+  bool oneTilt = false, onePoint = false, oneColour = false;
+};
+
+/// How well it is to be integrated, and for which picture.
+struct SkyAccuracy {
+  double error = 0.01;     // aimed at: the pixels' errors together over their light together
+  double cutShare = 1e-5;  // PrismTracer
+  std::uint64_t seed = 1;
+  bool folds = false;    // the picture's left half is the mirror image of its right
+  bool hasEdge = false;  // SheetMesh
+  double widest = -2.0;  // SheetMesh
+};
+
+/// The light of a picture's pixels, per surface of the crystals (their mean shadows).
+struct SkyIntegral {
+  std::vector<std::array<float, 3>> xyz;  // of each pixel
+  std::vector<float> variance;            // of its Y
+  SheetTotals totals;
+  double error = 0.0;   // as SkyAccuracy has it
+  long directions = 0;  // traced
+  long sheets = 0;
+  bool reached = false;
+};
+
+/// Integrates over all orientations. The same bits for any number of threads.
+SkyIntegral integrateSky(const AxisScene& scene, const SkyAccuracy& accuracy, const Lens& lens);
+
+}  // namespace parhelion

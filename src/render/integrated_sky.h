@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "picture/image.h"
+#include "scene/parse_scene.h"
+#include "sky/tally_info.h"
+
+namespace parhelion {
+
+/// A sky without any ray: integrated over all orientations.
+struct IntegratedSky {
+  Image image;          // R, G, B and the variance of the luminance, as reconstructions have them
+  TallyInfo info;       // without rays; its light is in units of all that is intercepted
+  double error = 0.0;   // of the picture, as pictureError() has it
+  double cutOff = 0.0;  // share of the light
+  long directions = 0;  // of light in a crystal that were traced
+  long sheets = 0;      // of orientations
+  bool reached = true;  // the error aimed at
+};
+
+/// What keeps a scene's sky from being integrated, in one line; empty if nothing does.
+std::string objectionToIntegratedSky(const Scene& scene);
+
+/// Integrates the sky of a scene that has no objection until the picture's error is at most so much. The same bits for
+/// any number of threads. Throws std::invalid_argument for a scene that has one.
+IntegratedSky integrateSky(const LoadedScene& loaded, double error);
+
+}  // namespace parhelion

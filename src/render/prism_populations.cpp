@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/prism_populations.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "crystal/population.h"
+#include "optics/ice.h"
+#include "optics/spectrum.h"
+
+namespace parhelion {
+
+namespace {
+
+// Crystals of spread aspect ratios are as many, each with the same share of the surface.
+constexpr int kAspects = 16;
+// Nodes at which the spectrum's light is added up, and at which its indices are kept.
+constexpr int kSpectrumNodes = 4096, kIndexNodes = 256;
+// Continuous light is looked up in so many steps.
+constexpr int kColourSteps = 1024;
+
+/// The indices of continuous light at even shares of it.
+std::vector<double> indicesAtShares(const Spectrum& spectrum, const IceSettings& ice) {
+  std::vector<double> light{0.0}, wavelengths;
+  for (int k = 0; k < kSpectrumNodes; ++k) {
+    const SpectralSample sample = spectrum.sample((k + 0.5) / kSpectrumNodes);
+    wavelengths.push_back(sample.wavelength);
+    light.push_back(light.back() + sample.light);
+  }
+  std::vector<double> indices;
+  std::size_t cell = 0;
+  for (int k = 0; k <= kIndexNodes; ++k) {
+    const double wanted = light.back() * k / kIndexNodes;
+    while (cell + 1 < wavelengths.size() && light[cell + 1] < wanted) ++cell;
+    // Within a cell, from half-way before its wavelength to half-way behind.
+    const double before = wavelengths[cell == 0 ? 0 : cell - 1],
+                 behind = wavelengths[std::min(cell + 1, wavelengths.size() - 1)];
+    const double t = std::clamp((wanted - light[cell]) / (light[cell + 1] - light[cell]), 0.0, 1.0);
+    const double from = 0.5 * (before + wavelengths[cell]), to = 0.5 * (wavelengths[cell] + behind);
+    indices.push_back(refractiveIndex(ice, from + t * (to - from)));
+  }
+  return indices;
+}
+
+/// The indices of an ice that has them whatever the wavelength; empty for others.
+std::vector<double> fixedIndices(const IceSettings& ice) {
+  if (const auto* mixture = std::get_if<IceMixture>(&ice)) return mixture->indices;
+  if (const auto* constant = std::get_if<ConstantIce>(&ice)) return {constant->index};
+  return {};
+}
+
+Tristimulus colourOf(const SpectralSample& sample) { return {sample.xyz.x, sample.xyz.y, sample.xyz.z}; }
+
+/// All of a spectrum's light as lines: each meets each of the ice's indices. Empty for continuous light in ice whose
+/// index depends on the wavelength.
+std::vector<IndexColour> linesOf(const Scene& scene) {
+  const Spectrum spectrum(scene.sun.spectrum);
+  const std::vector<double> fixed = fixedIndices(scene.ice);
+  std::vector<IndexColour> lines;
+  for (const SpectralSample& line : spectrum.lines()) {
+    if (fixed.empty()) lines.push_back({refractiveIndex(scene.ice, line.wavelength), colourOf(line)});
+  }
+  // What meets the same index goes the same ways, whatever its colour.
+  const Vec3& white = spectrum.white();
+  for (const double index : fixed) lines.push_back({index, {white.x, white.y, white.z}});
+  return lines;
+}
+
+}  // namespace
+
+IceLight iceLightOf(const Scene& scene) {
+  const Spectrum spectrum(scene.sun.spectrum);
+  if (spectrum.lines().empty() && std::holds_alternative<TabulatedIce>(scene.ice))
+    return IceLight::continuous(indicesAtShares(spectrum, scene.ice));
+  if (const auto* mixture = std::get_if<IceMixture>(&scene.ice)) {
+    std::vector<IndexShare> all;
+    for (const double index : mixture->indices)
+      all.push_back({index, 1.0 / static_cast<double>(mixture->indices.size())});
+    return IceLight(all);
+  }
+  if (const auto* constant = std::get_if<ConstantIce>(&scene.ice)) return IceLight({{constant->index, 1.0}});
+  std::vector<IndexShare> lines;
+  for (const SpectralSample& line : spectrum.lines())
+    lines.push_back(
+        {refractiveIndex(scene.ice, line.wavelength), line.light / static_cast<double>(spectrum.lines().size())});
+  return IceLight(lines);
+}
+
+std::vector<PrismShare> prismsOf(const PopulationSettings& settings) {
+  const Population population(settings);
+  const AngleQuantile* stretch = population.stretch();
+  if (!stretch) return {{2.0 * std::get<FixedValue>(std::get<PrismSettings>(settings.shape).aspect).value, 1.0}};
+  std::vector<PrismShare> prisms;
+  for (int k = 0; k < kAspects; ++k) prisms.push_back({2.0 * stretch->at((k + 0.5) / kAspects), 1.0 / kAspects});
+  return prisms;
+}
+
+IceLight colouredIceLightOf(const Scene& scene) {
+  const std::vector<IndexColour> lines = linesOf(scene);
+  if (lines.empty()) {
+    std::vector<double> indices;
+    std::vector<Tristimulus> colours;
+    const Spectrum spectrum(scene.sun.spectrum);
+    for (int k = 0; k <= kIndexNodes; ++k) {
+      const SpectralSample sample = spectrum.sample(std::min(static_cast<double>(k) / kIndexNodes, 1.0 - 1e-12));
+      indices.push_back(refractiveIndex(scene.ice, sample.wavelength));
+      colours.push_back(colourOf(sample));
+    }
+    return IceLight::continuous(indices, colours);
+  }
+  std::vector<IndexShare> shares;
+  for (const IndexColour& line : lines)
+    shares.push_back({line.index, 1.0 / static_cast<double>(lines.size()), line.xyz});
+  return IceLight(shares);
+}
+
+IndexSampler::IndexSampler(const Scene& scene) : lines_(linesOf(scene)) {
+  if (!lines_.empty()) return;
+  const Spectrum spectrum(scene.sun.spectrum);
+  for (int k = 0; k < kColourSteps; ++k) {
+    const SpectralSample sample = spectrum.sample((k + 0.5) / kColourSteps);
+    continuous_.push_back({refractiveIndex(scene.ice, sample.wavelength), colourOf(sample)});
+  }
+}
+
+IndexColour IndexSampler::at(double u) const {
+  const auto nth = [u](const std::vector<IndexColour>& all) {
+    return std::min(static_cast<std::size_t>(u * static_cast<double>(all.size())), all.size() - 1);
+  };
+  if (!lines_.empty()) return lines_[nth(lines_)];
+  return continuous_[nth(continuous_)];
+}
+
+std::vector<double> IndexSampler::nodes() const {
+  std::vector<double> all;
+  for (const auto* light : {&lines_, &continuous_})
+    for (const IndexColour& one : *light) all.push_back(one.index);
+  std::ranges::sort(all);
+  all.erase(std::ranges::unique(all).begin(), all.end());
+  if (all.size() <= IceLight::kMixed) return all;
+  return {all.front(), 0.5 * (all.front() + all.back()), all.back()};
+}
+
+std::string objectionTo(const PopulationSettings& population, bool inProfile) {
+  constexpr double kSixth = kPi / 3.0, kTurn = 2.0 * kPi;
+  if (!std::holds_alternative<PrismSettings>(population.shape)) return "has crystals that are no prisms";
+  if (std::holds_alternative<RandomOrientation>(population.orientation)) return {};
+  if (inProfile) return "is not randomly oriented, and has another profile for each place of the sun";
+  const auto* axis = std::get_if<AxisOrientation>(&population.orientation);
+  if (!axis) return "turns about an axis across c";
+  if (!isFree(axis->azimuth, kTurn)) return "does not face all azimuths alike";
+  if (!isFree(axis->roll, kSixth)) return "does not have all rolls alike";
+  return {};
+}
+
+}  // namespace parhelion

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "beam/ice_light.h"
+#include "beam/scatter_scene.h"
+#include "beam/sky_integral.h"
+#include "scene/scene.h"
+
+namespace parhelion {
+
+// What the integral engine needs to know of a scene.
+
+/// Lengths of a population's prisms, each with its share of the surface.
+std::vector<PrismShare> prismsOf(const PopulationSettings& settings);
+
+/// The indices that a scene's light meets, by its energy as profiles count it.
+IceLight iceLightOf(const Scene& scene);
+
+/// The same with its colours, as pictures count it.
+IceLight colouredIceLightOf(const Scene& scene);
+
+/// Light by a number in (0, 1): its index and its colour.
+class IndexSampler {
+ public:
+  explicit IndexSampler(const Scene& scene);
+
+  IndexColour at(double u) const;
+
+  /// All light has one index and one colour.
+  bool isSingle() const { return lines_.size() == 1; }
+
+  /// Indices at which light is to be traced: all there are, or three among which the others lie.
+  std::vector<double> nodes() const;
+
+ private:
+  std::vector<IndexColour> lines_;  // alike likely
+  std::vector<IndexColour> continuous_;
+};
+
+/// Why crystals of a population cannot be integrated, as a predicate: "has crystals that are no prisms"; empty if they
+/// can. `inProfile`: for a profile, which looks at random orientations only.
+std::string objectionTo(const PopulationSettings& population, bool inProfile);
+
+}  // namespace parhelion
