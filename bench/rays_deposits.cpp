@@ -30,8 +30,11 @@ void deposit(Sharing sharing, std::span<const PixelDeposit> deposits, int passes
   switch (sharing) {
     case Sharing::bands: {
       DepositBuffer buffer(tally, locks);
-      addAll(
-          [&](int pixel, const Vec3& xyz, bool half) { buffer.add(pixel, toFixedLight(xyz, tally.perWhite()), half); });
+      std::uint64_t bundle = 0;  // of the half that is asked for
+      addAll([&](int pixel, const Vec3& xyz, bool half) {
+        bundle += (bundle % 2 == 0) == half ? 2 : 1;
+        buffer.add(pixel, toFixedLight(xyz, tally.perWhite()), bundle);
+      });
       return buffer.flush();
     }
     case Sharing::atomics:

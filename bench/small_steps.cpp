@@ -106,7 +106,10 @@ void depositBuffer(benchmark::State& state) {
   for (const Vec3& toSky : directions())
     pixels.push_back(camera.pixelAt({toSky.x, toSky.y, std::abs(toSky.z)}).value_or(0));
   std::size_t i = 0;
-  for (auto _ : state) buffer.add(pixels[i++ % kInputs], toFixedLight(Vec3(0.0, 1.0, 0.0), tally.perWhite()), true);
+  for (auto _ : state) {
+    buffer.add(pixels[i % kInputs], toFixedLight(Vec3(0.0, 1.0, 0.0), tally.perWhite()), i);
+    ++i;
+  }
   buffer.flush();
 }
 

@@ -123,9 +123,15 @@ PARHELION_INLINE T nearest(const T& x) {
   return (x + kShift) - kShift;
 }
 
-/// The largest whole number not above x, for |x| < 2^51.
+/// The largest whole number not above x, for |x| < 2^51. Of a zero, the sign has no meaning.
 template <class T>
 PARHELION_INLINE T wholePart(const T& x) {
+#if defined(__AVX512F__)
+  if constexpr (sizeof(T) == 64) return _mm512_floor_pd(x);
+#endif
+#if defined(__AVX2__)
+  if constexpr (sizeof(T) == 32) return _mm256_floor_pd(x);
+#endif
   const T whole = nearest(x);
   return select(whole > x, whole - 1.0, whole);
 }

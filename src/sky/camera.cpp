@@ -174,6 +174,7 @@ Lens Camera::lens() const {
           focal_,
           cutsHorizon() ? -kCosineSlack : -2.0,
           minCosine_,
+          !settings_.distortion.none(),
           settings_.distortion};
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sky/deposit_buffer.h"
 
+#include <algorithm>
+#include <span>
 #include <utility>
 
 namespace parhelion {
@@ -11,34 +13,42 @@ DepositBuffer::DepositBuffer(std::vector<Tally*> layers, Tally* shared, std::sha
 }
 
 void DepositBuffer::flush() {
-  for (int band = 0; band < Locks::kBands; ++band) flush(band);
+  for (Band& band : bands_) flush(band);
 }
 
-void DepositBuffer::flush(int band) {
-  if (layers_.size() == 1 && !shared_)
-    flush(band, [&only = *layers_.front()](const Deposit&) -> Tally& { return only; });
+void DepositBuffer::makeRoom(Band& band, std::uint64_t bundle) {
+  if (band.empty() || band.back().bundle == bundle)
+    band.reserve(std::max(kRoom, 2 * band.size()));
   else
-    flush(band, [this](const Deposit& d) -> Tally& { return d.layer == kShared ? *shared_ : *layers_[d.layer]; });
+    flush(band);
 }
 
-template <class TallyOf>
-void DepositBuffer::flush(int band, const TallyOf& tallyOf) {
-  // Some dozen loads may be under way at a time.
-  constexpr int kAhead = 12;
-  Band& b = bands_[static_cast<std::size_t>(band)];
-  const std::scoped_lock lock(locks_->bands_[static_cast<std::size_t>(band)]);
-  for (int i = 0; i < b.count; ++i) {
-    if (i + kAhead < b.count) {
-      const Deposit& ahead = b.deposits[static_cast<std::size_t>(i + kAhead)];
-      tallyOf(ahead).prefetch(ahead.pixel);
+void DepositBuffer::flush(Band& band) {
+  const std::scoped_lock lock(locks_->bands_[static_cast<std::size_t>(&band - bands_.data())]);
+  const std::span<const Deposit> deposits = band;
+  const auto forAll = [deposits](const auto& tallyOf, const auto& add) {
+    // Some dozen loads may be under way at a time.
+    constexpr std::size_t kAhead = 12;
+    for (std::size_t i = 0; i < deposits.size(); ++i) {
+      if (i + kAhead < deposits.size()) tallyOf(deposits[i + kAhead]).prefetch(deposits[i + kAhead].pixel);
+      add(tallyOf(deposits[i]), deposits[i]);
     }
-    const Deposit& d = b.deposits[static_cast<std::size_t>(i)];
-    if (d.layer == kShared)
-      tallyOf(d).addShared(d.pixel, d.light.y, d.light.x);
-    else
-      tallyOf(d).addExclusively(d.pixel, d.light, d.firstHalf);
+  };
+  const auto addLight = [](Tally& tally, const Deposit& d) {
+    tally.addExclusively(d.pixel, d.light, d.bundle % 2 == 0);
+  };
+  if (layers_.size() == 1 && !shared_) {
+    forAll([&only = *layers_.front()](const Deposit&) -> Tally& { return only; }, addLight);
+  } else {
+    forAll([this](const Deposit& d) -> Tally& { return d.layer == kShared ? *shared_ : *layers_[d.layer]; },
+           [&](Tally& tally, const Deposit& d) {
+             if (d.layer == kShared)
+               tally.addShared(d.pixel, d.light.y, d.light.x);
+             else
+               addLight(tally, d);
+           });
   }
-  b.count = 0;
+  band.clear();
 }
 
 }  // namespace parhelion

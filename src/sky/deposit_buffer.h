@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <memory>
 #include <mutex>
 #include <vector>
@@ -30,48 +31,52 @@ class DepositBuffer {
   DepositBuffer(Tally& tally, std::shared_ptr<Locks> locks)
       : DepositBuffer(std::vector{&tally}, nullptr, std::move(locks)) {}
 
-  /// Like Tally::add(). The deposit reaches the tally at the next flush() at the latest.
-  void add(int layer, int pixel, const FixedLight& light, bool firstHalf) {
-    push({light, pixel, static_cast<short>(layer), firstHalf});
+  /// Adds light of a bundle to a pixel, like Tally::add(). What the bundle has brought there before becomes one deposit
+  /// with it, unless the light of another bundle came in between. It reaches the tally at the next flush() at the
+  /// latest.
+  void add(int layer, int pixel, const FixedLight& light, std::uint64_t bundle) {
+    Band& band = bandOf(pixel);
+    for (auto d = band.rbegin(); d != band.rend() && d->bundle == bundle; ++d)
+      if (d->pixel == pixel && d->layer == layer) {
+        d->light += light;
+        return;
+      }
+    push(band, {light, bundle, pixel, layer});
   }
-  void add(int pixel, const FixedLight& light, bool firstHalf) { add(0, pixel, light, firstHalf); }
+  void add(int pixel, const FixedLight& light, std::uint64_t bundle) { add(0, pixel, light, bundle); }
 
   /// Says that `hits` + 1 deposits of the same bundle, in as many layers of a pixel, are one without layers, with a
   /// square that is so much more than theirs.
-  void addShared(int pixel, std::int64_t squares, std::int64_t hits) {
-    push({{hits, squares, 0}, pixel, kShared, false});
+  void addShared(int pixel, std::int64_t squares, std::int64_t hits, std::uint64_t bundle) {
+    push(bandOf(pixel), {{hits, squares, 0}, bundle, pixel, kShared});
   }
 
   /// Adds to the tallies what is still in the buffer.
   void flush();
 
  private:
-  static constexpr int kRoom = 64;
-  static constexpr short kShared = -1;
+  static constexpr std::size_t kRoom = 64;  // of a band, more where a single bundle needs it
+  static constexpr int kShared = -1;
   struct Deposit {
     FixedLight light;  // of kShared: y is squares, x is hits
-    int pixel;
-    short layer;
-    bool firstHalf;
+    std::uint64_t bundle;
+    int pixel, layer;
   };
-  struct Band {
-    std::array<Deposit, kRoom> deposits;
-    int count = 0;
-  };
-  void push(const Deposit& deposit) {
-    const int band = deposit.pixel >> bandShift_;
-    Band& b = bands_[static_cast<std::size_t>(band)];
-    b.deposits[static_cast<std::size_t>(b.count++)] = deposit;
-    if (b.count == kRoom) flush(band);
+  using Band = std::vector<Deposit>;
+
+  Band& bandOf(int pixel) { return bands_[static_cast<std::size_t>(pixel >> bandShift_)]; }
+  void push(Band& band, const Deposit& deposit) {
+    if (band.size() == band.capacity()) makeRoom(band, deposit.bundle);
+    band.push_back(deposit);
   }
-  void flush(int band);
-  template <class TallyOf>
-  void flush(int band, const TallyOf& tallyOf);
+  /// For a deposit of this bundle: the others of the same must stay, if there are some.
+  void makeRoom(Band& band, std::uint64_t bundle);
+  void flush(Band& band);
 
   std::vector<Tally*> layers_;
   Tally* shared_;
   std::shared_ptr<Locks> locks_;
-  int bandShift_ = 0;  // pixel >> bandShift_ is the pixel's band
+  int bandShift_ = 0;
   std::vector<Band> bands_;
 };
 

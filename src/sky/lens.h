@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <utility>
+
 #include "sky/camera_settings.h"
 #include "sky/projections.h"
 
@@ -16,36 +18,57 @@ struct Lens {
   double focal;                       // pixels
   double lowest;                      // height of a unit vector, below which nothing is seen
   double minCosine;                   // of angles from the axis inside the image circle
+  bool isDistorted;
   Distortion distortion;
 
   /// Where the sky point toward the unit world vector `toSky` appears in the picture, pixel coordinates.
   template <class T>
   PARHELION_INLINE PicturePlace<T> project(const Triple<T>& toSky) const {
-    const auto [seen, px, py] = place(toSky);
-    const MaskOf<T> inside = seen & (px >= 0.0) & (px < width) & (py >= 0.0) & (py < height);
-    return {inside, px, py};
+    return withinBorders(place(toSky));
   }
 
   /// The same, also beyond the picture's borders: `inside` says only that the projection can show the point.
   template <class T>
   PARHELION_INLINE PicturePlace<T> place(const Triple<T>& toSky) const {
-    const Triple<T> v{along(right, toSky), along(up, toSky), along(forward, toSky)};
     PicturePlace<T> found = visitProjection(
-        projection, [&](auto facts) __attribute__((always_inline))->PicturePlace<T> {
-          if constexpr (facts.discs > 1) {
-            const MaskOf<T> back = v.z < 0.0;
-            const Triple<T> turned{select(back, -v.x, v.x), v.y, select(back, -v.z, v.z)};
-            PicturePlace<T> place = inPixels(azimuthalPlace(facts, turned));
-            place.x = place.x + select(back, all<T>(discStep), T{});
-            return place;
-          } else if constexpr (facts.isAzimuthal) {
-            return inPixels(azimuthalPlace(facts, v));
-          } else {
-            return inPixels(facts.place(v));
-          }
-        });
-    found.inside = found.inside & (toSky.z >= lowest);
+        projection, [&](auto facts) __attribute__((always_inline)) { return placeInFrame(facts, inFrame(toSky)); });
+    found.inside = found.inside & isAbove(toSky);
     return found;
+  }
+
+  // The steps of project(), for loops over many directions through the projection of these `facts`.
+
+  /// Whether a direction is not below a horizon that is cut.
+  template <class T>
+  PARHELION_INLINE MaskOf<T> isAbove(const Triple<T>& toSky) const {
+    return toSky.z >= lowest;
+  }
+
+  /// A direction of the world in the camera's frame: right, up, forward.
+  template <class T>
+  PARHELION_INLINE Triple<T> inFrame(const Triple<T>& toSky) const {
+    return {along(right, toSky), along(up, toSky), along(forward, toSky)};
+  }
+
+  /// Does so for the direction's mirror image in the sun's vertical plane, too, which takes few more steps.
+  template <class T>
+  PARHELION_INLINE std::pair<Triple<T>, Triple<T>> bothInFrame(const Triple<T>& toSky) const {
+    const auto [x, mirroredX] = bothAlong(right, toSky);
+    const auto [y, mirroredY] = bothAlong(up, toSky);
+    const auto [z, mirroredZ] = bothAlong(forward, toSky);
+    return {{x, y, z}, {mirroredX, mirroredY, mirroredZ}};
+  }
+
+  /// Whether a direction of the camera's frame may be in the picture: a quick answer that is right where it is no.
+  template <class Facts, class T>
+  PARHELION_INLINE MaskOf<T> mayShow(Facts facts, const Triple<T>& v) const {
+    if constexpr (facts.isAzimuthal && facts.discs == 1) return v.z >= minCosine;
+    return v.z == v.z;
+  }
+
+  template <class Facts, class T>
+  PARHELION_INLINE PicturePlace<T> projectFrame(Facts facts, const Triple<T>& v) const {
+    return withinBorders(placeInFrame(facts, v));
   }
 
  private:
@@ -53,6 +76,28 @@ struct Lens {
   // (the horizon, the poles, the antisolar point) falls inside in spite of rounding, which is a thousand times smaller.
   // 1e-12 of half a picture is far below a pixel.
   static constexpr double kShrink = 1.0 - 1e-12;
+
+  template <class T>
+  PARHELION_INLINE PicturePlace<T> withinBorders(const PicturePlace<T>& place) const {
+    const auto& [seen, x, y] = place;
+    const MaskOf<T> inside = seen & (x >= 0.0) & (x < width) & (y >= 0.0) & (y < height);
+    return {inside, x, y};
+  }
+
+  template <class Facts, class T>
+  PARHELION_INLINE PicturePlace<T> placeInFrame(Facts facts, const Triple<T>& v) const {
+    if constexpr (facts.discs > 1) {
+      const MaskOf<T> back = v.z < 0.0;
+      const Triple<T> turned{select(back, -v.x, v.x), v.y, select(back, -v.z, v.z)};
+      PicturePlace<T> place = inPixels(azimuthalPlace(facts, turned));
+      place.x = place.x + select(back, all<T>(discStep), T{});
+      return place;
+    } else if constexpr (facts.isAzimuthal) {
+      return inPixels(azimuthalPlace(facts, v));
+    } else {
+      return inPixels(facts.place(v));
+    }
+  }
 
   template <class T>
   PARHELION_INLINE PicturePlace<T> inPixels(const PicturePlace<T>& place) const {
@@ -64,19 +109,30 @@ struct Lens {
     return axis.x * v.x + axis.y * v.y + axis.z * v.z;
   }
 
+  /// along() of a vector and of its mirror image, to the bit.
+  template <class T>
+  static PARHELION_INLINE std::pair<T, T> bothAlong(const Triple<double>& axis, const Triple<T>& v) {
+    const T x = axis.x * v.x, y = axis.y * v.y, z = axis.z * v.z;
+    return {x + y + z, x - y + z};
+  }
+
   /// In focal lengths, y up, of a direction of the camera's frame.
   template <class Facts, class T>
   PARHELION_INLINE PicturePlace<T> azimuthalPlace(Facts facts, Triple<T> v) const {
     const MaskOf<T> seen = v.z >= minCosine;
-    // The antipode is the whole image circle and has no direction of its own: give it the left. The square of this
-    // sine is still a normal number.
-    constexpr double kLeastSine = 1e-150;
-    const MaskOf<T> antipode = (v.z < 0.0) & (v.x * v.x + v.y * v.y < kLeastSine * kLeastSine);
-    v.x = select(antipode, all<T>(-kLeastSine), v.x);
-    v.y = select(antipode, T{}, v.y);
+    // What is not seen may have any place. Ahead of the camera there is less to do.
+    v.z = select(seen, v.z, all<T>(1.0));
+    if (anyOf(v.z <= 0.0)) {
+      // The antipode is the whole image circle and has no direction of its own: give it the left. The square of this
+      // sine is still a normal number.
+      constexpr double kLeastSine = 1e-150;
+      const MaskOf<T> antipode = (v.z < 0.0) & (v.x * v.x + v.y * v.y < kLeastSine * kLeastSine);
+      v.x = select(antipode, all<T>(-kLeastSine), v.x);
+      v.y = select(antipode, T{}, v.y);
+    }
     const T factor = facts.radiusPerSine(v);
     T x = v.x * factor, y = v.y * factor;
-    if (!distortion.none()) {
+    if (isDistorted) {
       const T moved = distortion.factor(x * x + y * y);
       x = x * moved;
       y = y * moved;

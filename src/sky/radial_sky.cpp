@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 #include <stdexcept>
 
+#include "math/lanes.h"
 #include "sky/camera.h"
 #include "sky/picture_parts.h"
 #include "sky/radial_footprint.h"
@@ -79,8 +81,10 @@ bool RadialSky::fitsPixels() const {
 /// What each ring gives for its share in a pixel: all sums in proportion to the share, but the squares and hits in
 /// proportion to its square.
 struct RadialSky::Densities {
-  // Places of TallySlots, and one more.
-  static constexpr std::size_t kSquaredHits = 6;
+  // First the places that go with the share, in the order of kLinear, then the squares and those of hits.
+  static constexpr std::array kLinear{Tally::kY, Tally::kFirstHalf, Tally::kHits, Tally::kX, Tally::kZ};
+  static constexpr std::size_t kHits = 2, kSquares = 6, kSquaredHits = 7;
+  static_assert(kLinear[kHits] == Tally::kHits);
   std::vector<std::array<double, 8>> ofRings;
 
   explicit Densities(const RadialSky& sky) : ofRings(sky.rings_.size()) {
@@ -88,25 +92,30 @@ struct RadialSky::Densities {
       const double perSolidAngle = 1.0 / sky.solidAngle(bin);
       const auto& ring = sky.rings_[static_cast<std::size_t>(bin)].place;
       auto& density = ofRings[static_cast<std::size_t>(bin)];
-      for (std::size_t k = 0; k < ring.size(); ++k) density[k] = perSolidAngle * static_cast<double>(ring[k]);
-      density[Tally::kSquares] *= perSolidAngle;
-      density[kSquaredHits] = perSolidAngle * density[Tally::kHits];
+      for (std::size_t k = 0; k < kLinear.size(); ++k)
+        density[k] = perSolidAngle * static_cast<double>(ring[kLinear[k]]);
+      density[kSquares] = perSolidAngle * static_cast<double>(ring[Tally::kSquares]) * perSolidAngle;
+      density[kSquaredHits] = perSolidAngle * density[kHits];
     }
   }
 
   /// The integers of a pixel.
   SumLine over(const RadialFootprint& footprint) const {
-    std::array<double, 8> sums{};
+    using Two = Lanes<2>::Real;
+    Two linear[3]{}, square{};
     for (int bin = footprint.first(); bin <= footprint.last(); ++bin) {
-      const auto& density = ofRings[static_cast<std::size_t>(bin)];
-      const double w = footprint.solidAngle(bin), w2 = w * w;
-      const double factor[8] = {w, w, w2, w, w, w, w2, 0.0};
-      for (std::size_t k = 0; k < sums.size(); ++k) sums[k] += factor[k] * density[k];
+      const double* density = ofRings[static_cast<std::size_t>(bin)].data();
+      const double w = footprint.solidAngle(bin);
+      for (int k = 0; k < 3; ++k) linear[k] += w * load<Two>(density + 2 * k);
+      square += w * w * load<Two>(density + kSquares);
     }
+    std::array<double, 6> sums{};
+    std::memcpy(sums.data(), linear, sizeof(linear));
     // n hits of one weight have the square of their sum n times the sum of their squares.
-    if (sums[kSquaredHits] > 0.0) sums[Tally::kHits] *= sums[Tally::kHits] / sums[kSquaredHits];
+    if (square[1] > 0.0) sums[kHits] *= sums[kHits] / square[1];
     SumLine pixel;
-    for (std::size_t k = 0; k < kSquaredHits; ++k) pixel.place[k] = toFixed(sums[k], 1.0);
+    for (std::size_t k = 0; k < kLinear.size(); ++k) pixel.place[kLinear[k]] = toFixed(sums[k], 1.0);
+    pixel.place[Tally::kSquares] = toFixed(square[0], 1.0);
     return pixel;
   }
 };
@@ -148,13 +157,15 @@ void RadialSky::spread(std::span<const Spreading> all) {
       footprint.setRow(y);
       for (int x = 0; x < columns; ++x) {
         footprint.setPixel(x);
-        const int left = y * width + part.left, mirrored = folds ? camera.width() - 1 - x : x;
+        const int left = y * width + part.left, mirrored = camera.width() - 1 - x;
         for (std::size_t i = 0; i < lit.size(); ++i) {
           const SumLine sums = densities[i].over(footprint);
           Tally& tally = *lit[i].tally;
-          for (int slot = 0; slot < tally.slots(); ++slot)
-            for (const int column : {x, mirrored})
-              tally.setRaw(left + column, slot, sums.place[static_cast<std::size_t>(slot)]);
+          for (int slot = 0; slot < tally.slots(); ++slot) {
+            const std::int64_t sum = sums.place[static_cast<std::size_t>(slot)];
+            tally.setRaw(left + x, slot, sum);
+            if (folds) tally.setRaw(left + mirrored, slot, sum);
+          }
         }
       }
     }

@@ -63,16 +63,29 @@ void addIntegers(Checksum& checksum, std::span<const std::int64_t> values) {
   checksum.add(values.data(), values.size_bytes());
 }
 
-std::uint64_t checksumOf(const SumsPart& part, std::size_t index, const SumsSource& source) {
+/// What is known of a part's numbers before they are written.
+struct Digest {
+  std::uint64_t checksum = 0;
+  std::size_t zeros = 0;
+};
+
+Digest digestOf(const SumsPart& part, std::size_t index, const SumsSource& source) {
+  Digest digest;
   Checksum checksum;
   Rows block(part);
   forBlocks(part, [&](int row, int rows) {
     const std::span<std::int64_t> values(block.values.data(), block.sizeOf(rows));
     source(index, block.sizeOf(row), values);
     addIntegers(checksum, values);
+    digest.zeros += static_cast<std::size_t>(std::ranges::count(values, std::int64_t{0}));
   });
-  return checksum.value();
+  digest.checksum = checksum.value();
+  return digest;
 }
+
+/// Whether runs of equal bytes are enough to make a part small: they take a small part of the work that ZIP does, but
+/// find little in a part that is full.
+bool isNearlyEmpty(const SumsPart& part, const Digest& digest) { return digest.zeros > part.size() / 16 * 15; }
 
 void writePart(Imf::OutputPart output, const SumsPart& part, std::size_t index, const SumsSource& source) {
   Rows block(part);
@@ -90,10 +103,10 @@ void writePart(Imf::OutputPart output, const SumsPart& part, std::size_t index, 
 }
 
 /// The header of a part of a file whose first part is `first`: the display window of all must be the same.
-Imf::Header headerOf(const SumsPart& part, const SumsPart& first) {
+Imf::Header headerOf(const SumsPart& part, const Digest& digest, const SumsPart& first) {
   const Imath::Box2i display({0, 0}, {first.width - 1, first.height - 1});
   Imf::Header header(display, Imath::Box2i({0, 0}, {part.width - 1, part.height - 1}));
-  header.compression() = Imf::ZIP_COMPRESSION;
+  header.compression() = isNearlyEmpty(part, digest) ? Imf::RLE_COMPRESSION : Imf::ZIP_COMPRESSION;
   header.zipCompressionLevel() = 1;  // 0.6 times the work of the usual level; a file of many hits grows by 1 %
   header.setName(part.name);
   header.setType(Imf::SCANLINEIMAGE);
@@ -102,14 +115,14 @@ Imf::Header headerOf(const SumsPart& part, const SumsPart& first) {
 }
 
 /// All attributes of a file.
-ExrAttributes completed(const ExrAttributes& attributes, std::span<const SumsPart> parts, const SumsSource& source) {
+ExrAttributes completed(const ExrAttributes& attributes, std::span<const SumsPart> parts,
+                        std::span<const Digest> digests) {
   ExrAttributes all{{kFormatKey, std::string(kFormat)}};
   for (const auto& [name, value] : attributes)
     all[name == "software" ? name : std::string(kOurPrefix).append(name)] = value;
   for (std::size_t i = 0; i < parts.size(); ++i)
-    all[std::string(kPartPrefix).append(parts[i].name)] = std::to_string(parts[i].width) + "x" +
-                                                          std::to_string(parts[i].height) + " " +
-                                                          hexOf(checksumOf(parts[i], i, source));
+    all[std::string(kPartPrefix).append(parts[i].name)] =
+        std::to_string(parts[i].width) + "x" + std::to_string(parts[i].height) + " " + hexOf(digests[i].checksum);
   Checksum checksum;
   addMeaning(checksum, all);
   all[kChecksumKey] = hexOf(checksum.value());
@@ -163,8 +176,12 @@ void writeSumsExr(const Output& output, const ExrAttributes& attributes, std::sp
                   const SumsSource& source) {
   withExrErrors(output.path, [&] {
     std::vector<Imf::Header> headers;
-    for (const SumsPart& part : parts) headers.push_back(headerOf(part, parts.front()));
-    insertText(headers.front(), completed(attributes, parts, source));
+    std::vector<Digest> digests;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      digests.push_back(digestOf(parts[i], i, source));
+      headers.push_back(headerOf(parts[i], digests.back(), parts.front()));
+    }
+    insertText(headers.front(), completed(attributes, parts, digests));
     AtomicFile file(output);
     {
       ExrOutput stream(output.path, file);

@@ -154,8 +154,8 @@ class Tally : public TallySlots {
   /// The rings of both together. Throws std::overflow_error where they do not fit, into pixels neither.
   RadialSky ringsWith(const Tally& other) const;
 
-  std::int64_t& at(std::size_t i) { return lines_[i / 8].place[i % 8]; }
-  const std::int64_t& at(std::size_t i) const { return lines_[i / 8].place[i % 8]; }
+  std::int64_t& at(std::size_t i) { return reinterpret_cast<std::int64_t*>(lines_.data())[i]; }
+  const std::int64_t& at(std::size_t i) const { return reinterpret_cast<const std::int64_t*>(lines_.data())[i]; }
 
   template <class AddTo>
   void deposit(int pixel, const FixedLight& light, bool firstHalf, AddTo addTo) {

@@ -12,16 +12,16 @@ namespace parhelion {
 
 /// What one bundle of rays adds to numbered bins. If its light falls into a bin more than once, that light is summed to
 /// one deposit, because errors are measured by the scatter between bundles.
-template <class Light>
+template <class Light, class Bin = int>
 class BundleDeposits {
  public:
   struct Deposit {
-    int bin;
+    Bin bin;
     Light light;
   };
 
   void clear() { deposits_.clear(); }
-  void add(int bin, const Light& light) {
+  void add(const Bin& bin, const Light& light) {
     for (Deposit& d : deposits_)
       if (d.bin == bin) {
         d.light += light;

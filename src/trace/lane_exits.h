@@ -26,19 +26,48 @@ void turnToWorld(const RayQueue& queue, ExitList& exits) {
   }
 }
 
-void see(const Camera& camera, bool mirrored, const ExitList& exits, SeenLight& seen) {
-  const Lens lens = camera.lens();
-  const double side = mirrored ? 1.0 : -1.0;
+/// LaneSteps::see through the projection of these facts.
+template <bool kBothViews, class Facts>
+PARHELION_INLINE void seeThrough(Facts facts, const Lens& lens, const ExitList& exits, SeenLight& seen) {
+  int count = 0;
   for (int i = 0; i < exits.count; i += kLanes) {
-    const Triple<Real> light = loadTriple(exits.lightDirWorld, i);
-    const auto place = lens.project<Real>({-light.x, side * light.y, -light.z});
-    const Mask real = below(i, exits.count) & (load<Real>(&exits.undeviated[i]) == 0.0);
-    const Compress<Real> inside(place.inside & real);
-    inside.store(&seen.pixel[seen.count], wholePart(place.y) * lens.width + wholePart(place.x));
-    inside.store(&seen.exit[seen.count], counting() + static_cast<double>(i));
-    inside.store(&seen.ray[seen.count], load<Real>(&exits.ray[i]));
-    seen.count += inside.count();
+    const Triple<Real> toSky = -loadTriple(exits.lightDirWorld, i);
+    const Mask real = below(i, exits.count) & (load<Real>(&exits.undeviated[i]) == 0.0) & lens.isAbove(toSky);
+    const auto [v, mirrored] = lens.bothInFrame(toSky);
+    Mask hope = lens.mayShow(facts, v);
+    if constexpr (kBothViews) hope = hope | lens.mayShow(facts, mirrored);
+    if (!anyOf(hope & real)) continue;
+
+    const PicturePlace<Real> place = lens.projectFrame(facts, v);
+    const Mask inside = place.inside & real;
+    Mask anywhere = inside, mirroredInside{};
+    PicturePlace<Real> mirroredPlace{};
+    if constexpr (kBothViews) {
+      mirroredPlace = lens.projectFrame(facts, mirrored);
+      mirroredInside = mirroredPlace.inside & real;
+      anywhere = inside | mirroredInside;
+    }
+    const auto pixelAt = [&](const PicturePlace<Real>& at, const Mask& isThere) __attribute__((always_inline)) {
+      return select(isThere, wholePart(at.y) * lens.width + wholePart(at.x), all<Real>(SeenLight::kNowhere));
+    };
+    const Compress<Real> kept(anywhere);
+    kept.store(&seen.exit[count], counting() + static_cast<double>(i));
+    kept.store(&seen.ray[count], load<Real>(&exits.ray[i]));
+    kept.store(&seen.pixel[count], pixelAt(place, inside));
+    if constexpr (kBothViews) kept.store(&seen.mirroredPixel[count], pixelAt(mirroredPlace, mirroredInside));
+    count += kept.count();
   }
+  seen.count = count;
+}
+
+void see(const Camera& camera, bool bothViews, const ExitList& exits, SeenLight& seen) {
+  const Lens lens = camera.lens();
+  visitProjection(lens.projection, [&](auto facts) {
+    if (bothViews)
+      seeThrough<true>(facts, lens, exits, seen);
+    else
+      seeThrough<false>(facts, lens, exits, seen);
+  });
 }
 
 }  // namespace

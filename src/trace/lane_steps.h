@@ -35,11 +35,14 @@ struct EnergyUnits {
   int lostPaths = 0;
 };
 
-/// Light in pixels of a picture, as arrays with room for all there is to be seen and kSpare more.
+/// Exits in pixels of a picture, as arrays with room for all there are and RayQueue::kSpare more.
 struct SeenLight {
+  static constexpr double kNowhere = -1.0;
+
   int count = 0;
-  AlignedVector<double> pixel;      // row-major
-  AlignedVector<double> exit, ray;  // whose light it is: index into the list of exits, and RayQueue::ray()
+  AlignedVector<double> exit, ray;      // index into the list of exits, and RayQueue::ray()
+  AlignedVector<double> pixel;          // row-major
+  AlignedVector<double> mirroredPixel;  // of the mirror image; where that is asked for, one of the two may be kNowhere
 };
 
 /// The steps that are taken by many rays at a time, compiled once for each set of vector registers.
@@ -78,9 +81,9 @@ struct LaneSteps {
   /// World directions of the exits, and whether light goes on as if there were no crystal.
   void (*turnToWorld)(const RayQueue& queue, ExitList& exits);
 
-  /// Adds to `seen` what the observer sees of the exits, or of their mirror images in the sun's vertical plane; without
-  /// undeviated light.
-  void (*see)(const Camera& camera, bool mirrored, const ExitList& exits, SeenLight& seen);
+  /// The exits that the observer sees, without undeviated light. With `bothViews` they are those of which he sees the
+  /// exit itself, or its mirror image in the sun's vertical plane, or both.
+  void (*see)(const Camera& camera, bool bothViews, const ExitList& exits, SeenLight& seen);
 };
 
 /// The steps for the machine's widest registers, or for those named. Throws std::invalid_argument where the machine

@@ -113,7 +113,6 @@ PathPlan::OfPopulation PathPlan::planFor(const Population& population, const Pat
 }
 
 std::uint64_t PathPlan::layersFor(const Population& population, const Vec3& crystalY, const Vec3& crystalZ) const {
-  if (!hasTilts_) return ~std::uint64_t{0};
   const double tilt = tiltOf(population.orientation(), crystalY, crystalZ);
   std::uint64_t allowed = ~std::uint64_t{0};
   for (std::size_t layer = 0; layer < tilts_.size(); ++layer)

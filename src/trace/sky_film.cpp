@@ -18,50 +18,53 @@ SkyFilm::SkyFilm(std::vector<Tally*> layers, Tally* shared, std::shared_ptr<Depo
 
 int SkyFilm::add(const TracedRays& traced) {
   const auto& [queue, exits, members, population, mesh, steps] = traced;
-  const std::size_t room = static_cast<std::size_t>(2 * exits.count + RayQueue::kSpare);
-  if (seen_.pixel.size() < room)
-    for (auto* row : {&seen_.pixel, &seen_.exit, &seen_.ray}) row->resize(room);
-  seen_.count = 0;
-  steps.see(camera_, false, exits, seen_);
-  if (mirrored_ && !foldsPicture()) steps.see(camera_, true, exits, seen_);
+  const std::size_t room = static_cast<std::size_t>(exits.count + RayQueue::kSpare);
+  if (seen_.exit.size() < room)
+    for (auto* row : {&seen_.exit, &seen_.ray, &seen_.pixel, &seen_.mirroredPixel}) row->resize(room);
+  steps.see(camera_, showsBothViews(), exits, seen_);
 
   byBundle_.sort(queue, seen_.ray, seen_.count);
-  if (layers_.size() > 1)
-    deposit(traced, layeredDeposits_);
-  else
-    deposit(traced, plainDeposits_);
-  return foldsPicture() ? 2 * seen_.count : seen_.count;
+  const int views = layers_.size() > 1 ? deposit(traced, layeredDeposits_) : deposit(traced, plainDeposits_);
+  return foldsPicture() ? 2 * views : views;
 }
 
 template <class Deposits>
-void SkyFilm::deposit(const TracedRays& traced, Deposits& deposits) {
+int SkyFilm::deposit(const TracedRays& traced, Deposits& deposits) {
   constexpr bool kIsLayered = std::is_same_v<Deposits, LayeredDeposits>;
   const RayQueue& queue = traced.queue;
   const ExitList& exits = traced.exits;
   const Vec3 perWhite = layers_.front()->perWhite();
+  const bool bothViews = showsBothViews();
+  int views = 0;
   for (int place = 0; place < queue.count; ++place) {
     const int begin = byBundle_.begin(place), end = byBundle_.begin(place + 1);
     if (begin == end) continue;
     deposits.clear();
     for (int i = begin; i < end; ++i) {
       const int item = byBundle_.item(i), exit = static_cast<int>(seen_.exit[item]);
-      const int pixel = static_cast<int>(seen_.pixel[item]);
+      const Pixels pixels{static_cast<int>(seen_.pixel[item]),
+                          bothViews ? static_cast<int>(seen_.mirroredPixel[item]) : Pixels::kNowhere};
       const Vec3& xyz = queue.light[static_cast<int>(seen_.ray[item])].xyz;
       const FixedLight light = toFixedLight(exits.energy[exit] * xyz, perWhite);
+      views += pixels.count();
       if constexpr (kIsLayered)
-        deposits.add(pixel, exits.layer[static_cast<std::size_t>(exit)], light);
+        pixels.forEach([&](int pixel) { deposits.add(pixel, exits.layer[static_cast<std::size_t>(exit)], light); });
       else
-        deposits.add(pixel, light);
+        deposits.add(pixels, light);
     }
-    const bool firstHalf = queue.bundle[place] % 2 == 0;
+    const std::uint64_t bundle = queue.bundle[place];
     if constexpr (kIsLayered) {
-      for (const auto& [pixel, layer, light] : deposits.all()) buffer_.add(layer, pixel, light, firstHalf);
-      deposits.forShared(
-          [this](int pixel, std::int64_t squares, std::int64_t hits) { buffer_.addShared(pixel, squares, hits); });
+      for (const auto& [pixel, layer, light] : deposits.all()) buffer_.add(layer, pixel, light, bundle);
+      deposits.forShared([this, bundle](int pixel, std::int64_t squares, std::int64_t hits) {
+        buffer_.addShared(pixel, squares, hits, bundle);
+      });
     } else {
-      for (const auto& [pixel, light] : deposits.all()) buffer_.add(pixel, light, firstHalf);
+      // Two exits may share one pixel and not the other: the buffer makes one deposit of what falls into the same.
+      for (const auto& deposit : deposits.all())
+        deposit.bin.forEach([&](int pixel) { buffer_.add(pixel, deposit.light, bundle); });
     }
   }
+  return views;
 }
 
 void SkyFilm::merge(Film& fromThread) { dynamic_cast<SkyFilm&>(fromThread).buffer_.flush(); }

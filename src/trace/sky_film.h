@@ -30,14 +30,30 @@ class SkyFilm : public Film {
   double fullness() const override;
 
  private:
-  /// Deposits what `seen_` holds. Light that is in no layers is spared their sorting.
+  /// The pixels in which an exit and its mirror image are seen.
+  struct Pixels {
+    int own, mirrored;  // kNowhere: not in the picture
+    static constexpr int kNowhere = -1;
+    static_assert(kNowhere == SeenLight::kNowhere);
+
+    bool operator==(const Pixels&) const = default;
+    int count() const { return (own != kNowhere) + (mirrored != kNowhere); }
+    template <class Do>
+    void forEach(const Do& act) const {
+      if (own != kNowhere) act(own);
+      if (mirrored != kNowhere) act(mirrored);
+    }
+  };
+
+  /// Deposits what `seen_` holds. Light that is in no layers is spared their sorting. Returns how many views that were.
   template <class Deposits>
-  void deposit(const TracedRays& traced, Deposits& deposits);
+  int deposit(const TracedRays& traced, Deposits& deposits);
 
   SkyFilm(std::vector<Tally*> layers, Tally* shared, std::shared_ptr<DepositBuffer::Locks> locks);
 
   /// Through a camera that is its own mirror image, the finished picture makes up for a second view of every exit.
   bool foldsPicture() const { return mirrored_ && camera_.isMirrorSymmetric(); }
+  bool showsBothViews() const { return mirrored_ && !camera_.isMirrorSymmetric(); }
 
   /// The tallies of all layers, and the shared one if there is one.
   template <class Do>
@@ -53,7 +69,7 @@ class SkyFilm : public Film {
   std::shared_ptr<DepositBuffer::Locks> locks_;
   DepositBuffer buffer_;
   LayeredDeposits layeredDeposits_;
-  BundleDeposits<FixedLight> plainDeposits_;
+  BundleDeposits<FixedLight, Pixels> plainDeposits_;
   ByBundle byBundle_;
   SeenLight seen_;
   bool folded_;  // the tallies' pictures, by finish(), until reopen()

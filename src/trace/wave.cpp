@@ -183,15 +183,20 @@ void Wave::filter(int population) {
 
 /// Says of each exit which layer its light belongs to.
 void Wave::sortByLayer(const RayQueue& queue, int population) {
-  allowed_.assign(static_cast<std::size_t>(queue.count), ~std::uint64_t{0});
-  for (int place = 0; paths_.hasTilts() && place < queue.count; ++place) {
+  exits_.layer.resize(static_cast<std::size_t>(exits_.count));
+  if (!paths_.hasTilts()) {
+    for (int i = 0; i < exits_.count; ++i)
+      exits_.layer[static_cast<std::size_t>(i)] = paths_.layerOf(population, exits_.pathState[i], ~std::uint64_t{0});
+    return;
+  }
+  allowed_.resize(static_cast<std::size_t>(queue.count));
+  for (int place = 0; place < queue.count; ++place) {
     const auto axis = [place](const RayQueue::Row* rows) {
       return Vec3(rows[0][place], rows[1][place], rows[2][place]);
     };
     allowed_[static_cast<std::size_t>(place)] =
         paths_.layersFor(cloud_.populations()[population], axis(queue.crystalY), axis(queue.crystalZ));
   }
-  exits_.layer.resize(static_cast<std::size_t>(exits_.count));
   for (int i = 0; i < exits_.count; ++i) {
     const int place = queue.placeOf(static_cast<int>(exits_.ray[i]));
     exits_.layer[static_cast<std::size_t>(i)] =

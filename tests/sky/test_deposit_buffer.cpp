@@ -21,13 +21,13 @@ Tally tallyOf(int width, int height, int colours) {
 
 constexpr int kDeposits = 20'000;
 
-/// Calls `add(pixel, xyz, firstHalf)` with the deposits of one thread, many of them into the same pixels.
+/// Calls `add(pixel, xyz, bundle)` with the deposits of one thread, many of them into the same pixels.
 template <class Add>
 void deposit(const Tally& tally, int thread, Add&& add) {
   for (int i = 0; i < kDeposits; ++i) {
     RandomStream random(thread, i, RandomPurpose::path);
     const double where = random.next(), x = random.next(), y = random.next(), z = random.next();
-    add(static_cast<int>(where * where * tally.pixels()), Vec3(x, y, z), i % 2 == 0);
+    add(static_cast<int>(where * where * tally.pixels()), Vec3(x, y, z), static_cast<std::uint64_t>(i));
   }
 }
 
@@ -41,11 +41,12 @@ TEST_CASE("deposits that threads gather in buffers make the tally that single de
       const auto locks = std::make_shared<DepositBuffer::Locks>();
       std::vector<std::thread> threads;
       for (int t = 0; t < kThreads; ++t) {
-        deposit(single, t, [&](int pixel, const Vec3& xyz, bool half) { single.add(pixel, xyz, half); });
+        deposit(single, t,
+                [&](int pixel, const Vec3& xyz, std::uint64_t bundle) { single.add(pixel, xyz, bundle % 2 == 0); });
         threads.emplace_back([&gathered, &locks, t] {
           DepositBuffer buffer(gathered, locks);
-          deposit(gathered, t, [&](int pixel, const Vec3& xyz, bool half) {
-            buffer.add(pixel, toFixedLight(xyz, gathered.perWhite()), half);
+          deposit(gathered, t, [&](int pixel, const Vec3& xyz, std::uint64_t bundle) {
+            buffer.add(pixel, toFixedLight(xyz, gathered.perWhite()), bundle);
           });
           buffer.flush();
         });
@@ -53,4 +54,28 @@ TEST_CASE("deposits that threads gather in buffers make the tally that single de
       for (std::thread& thread : threads) thread.join();
       CHECK(gathered == single);
     }
+}
+
+TEST_CASE("whatever a bundle brings to a pixel is one deposit, however many it makes") {
+  constexpr int kWidth = 30, kHeight = 20;
+  Tally summed = tallyOf(kWidth, kHeight, 3), gathered = summed;
+  DepositBuffer buffer(gathered, std::make_shared<DepositBuffer::Locks>());
+  for (std::uint64_t bundle = 0; bundle < 300; ++bundle) {
+    // From none to several times what is gathered of one band, in pixels of few bands.
+    const int count = bundle % 10 == 0 ? 1000 : static_cast<int>(bundle % 7);
+    std::vector<FixedLight> sums(kWidth * kHeight);
+    for (int i = 0; i < count; ++i) {
+      RandomStream random(bundle, i, RandomPurpose::path);
+      const double where = random.next();
+      const int pixel = static_cast<int>(where * where * where * kWidth * kHeight);
+      const FixedLight light = toFixedLight(Vec3(random.next(), random.next(), random.next()), summed.perWhite());
+      buffer.add(pixel, light, bundle);
+      sums[static_cast<std::size_t>(pixel)] += light;
+    }
+    for (int pixel = 0; pixel < kWidth * kHeight; ++pixel)
+      if (const FixedLight& sum = sums[static_cast<std::size_t>(pixel)]; sum != FixedLight())
+        summed.addExclusively(pixel, sum, bundle % 2 == 0);
+  }
+  buffer.flush();
+  CHECK(gathered == summed);
 }

@@ -50,7 +50,9 @@ struct Fisheye : OrdinaryPicture {
 /// 1 + cos theta of a unit camera vector without cancellation near the antipode of the axis.
 template <class T>
 PARHELION_INLINE T onePlusCosine(const Triple<T>& v) {
-  return select(v.z > 0.0, 1.0 + v.z, (v.x * v.x + v.y * v.y) / (1.0 - v.z));
+  const MaskOf<T> behind = v.z <= 0.0;
+  const T sum = 1.0 + v.z;
+  return anyOf(behind) ? select(behind, (v.x * v.x + v.y * v.y) / (1.0 - v.z), sum) : sum;
 }
 
 /// The angle in [0, pi / 2] of this sine; none above 1.
