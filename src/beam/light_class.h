@@ -26,23 +26,25 @@ struct LightClass {
 
   bool isUndeviated() const { return !outside && parhelion::isUndeviated(of); }
 
-  /// Where its light goes.
+  /// Where its light goes. Of what is reflected outside, the reflectance stands for the transmittance.
   template <class T>
   PARHELION_INLINE ClassExit<T> exit(const Triple<T>& lightDir, const RelativeIndexOf<T>& index) const {
     if (!outside) return exitOf(of, lightDir, index);
     const Triple<T> normal = normalOfPrismFace<T>(of.entry);
-    return {reflect(lightDir, normal, T(-dot(normal, lightDir))), all<T>(1.0), all<T>(1.0)};
+    const T in = higher(T(-dot(normal, lightDir)), T{});
+    return {reflect(lightDir, normal, in), fresnel(in, index).reflectance, all<T>(1.0)};
   }
 };
 
-/// Calls f(number, light) for each class with light: what meets its exit, in the units of shadows.
+/// Calls f(number, light) for each class with light: what meets its exit, or a face from outside, in the units of
+/// shadows.
 template <class F>
 void forEachClass(const PrismLight& light, const F& f) {
   for (int entry = 0; entry < kPrismFaces; ++entry) {
     const auto e = static_cast<std::size_t>(entry);
     if (light.shadow[e] == 0.0) continue;
-    const double outside = light.shadow[e] * light.reflectance[e], goesIn = light.shadow[e] - outside;
-    f(kInsideClasses + entry, outside);
+    const double goesIn = light.shadow[e] * (1.0 - light.reflectance[e]);
+    f(kInsideClasses + entry, light.shadow[e]);
     if (!(goesIn > 0.0)) continue;
     for (int element = 0; element < kPrismElements; ++element)
       for (int exit = 0; exit < kPrismFaces; ++exit)

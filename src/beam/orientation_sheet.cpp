@@ -202,7 +202,7 @@ PARHELION_ALSO_AVX2 void OrientationSheet::see(const Frame& frame, int number, N
     for (int view = 0; view < views_; ++view) {
       Triple<Four> toSky = view & 1 ? by - common : -(common + by);
       if (view & 2) toSky = toSky - Four(2.0 * dot(left, toSky)) * left;
-      const PicturePlace<Four> place = lens_.place(toSky);
+      const PicturePlace<Four> place = lens_.placeBeyond(toSky);
       const auto v = static_cast<std::size_t>(view);
       store(&nodes.x[v][k], place.x);
       store(&nodes.y[v][k], place.y);
@@ -272,14 +272,16 @@ void OrientationSheet::addRow(const Frame& a, const Nodes& na, const Frame& b, c
     for (int column = 0; column < table_.columns(); column += step) {
       const auto k = static_cast<std::size_t>(column), l = k + static_cast<std::size_t>(step);
       if (!na.dark && !nb.dark) {
-        if (na.density[k] + na.density[l] + nb.density[k] + nb.density[l] == 0.0) continue;
+        if (na.light[k] + na.light[l] + nb.light[k] + nb.light[l] == 0.0 ||
+            std::max({na.excess[k], na.excess[l], nb.excess[k], nb.excess[l]}) <= 0.0)
+          continue;
         const LitPlace p[4] = {{na.x[v][k], na.y[v][k], share * na.density[k]},
                                {na.x[v][l], na.y[v][l], share * na.density[l]},
                                {nb.x[v][k], nb.y[v][k], share * nb.density[k]},
                                {nb.x[v][l], nb.y[v][l], share * nb.density[l]}};
         const bool out = na.excess[k] > 0.0 && na.excess[l] > 0.0 && nb.excess[k] > 0.0 && nb.excess[l] > 0.0;
         const double seen = na.seen[v][k] + na.seen[v][l] + nb.seen[v][k] + nb.seen[v][l];
-        if (out && seen == 0.0) continue;
+        if (seen == 0.0 && out) continue;
         if (out && seen == 4.0 && std::abs(p[0].x - p[3].x) < most && std::abs(p[1].x - p[2].x) < most) {
           const double w = std::abs(p[0].x - p[3].x) + std::abs(p[1].x - p[2].x),
                        h = std::abs(p[0].y - p[3].y) + std::abs(p[1].y - p[2].y);
@@ -315,9 +317,8 @@ bool OrientationSheet::addNodes(const Nodes& na, const Nodes& nb, std::size_t k,
 
 void OrientationSheet::addEdge(const Corner& a, const Corner& b, const Corner& c, double share, int view, int depth,
                                const Four& per, PixelFilm& film) const {
-  const int out = (a.excess > 0.0) + (b.excess > 0.0) + (c.excess > 0.0);
-  if (out == 0 || a.light + b.light + c.light == 0.0) return;
-  if (out == 3 || depth == 0)
+  if (std::max({a.excess, b.excess, c.excess}) <= 0.0 || a.light + b.light + c.light == 0.0) return;
+  if (std::min({a.excess, b.excess, c.excess}) > 0.0 || depth == 0)
     return addSky({-a.lightDir, share * a.density}, {-b.lightDir, share * b.density}, {-c.lightDir, share * c.density},
                   kTornDepth, per, film);
   const Corner ab = between(a, b, view), bc = between(b, c, view), ca = between(c, a, view);
@@ -334,7 +335,7 @@ void OrientationSheet::addSky(const SkyLight& a, const SkyLight& b, const SkyLig
   int seen = 0;
   double nearest = -1.0;
   for (int k = 0; k < 3; ++k) {
-    const PicturePlace<double> place = lens_.place(all[k]->toSky);
+    const PicturePlace<double> place = lens_.placeBeyond(all[k]->toSky);
     at[k] = {place.x, place.y, all[k]->light};
     seen += place.inside;
     nearest = std::max(nearest, dot(lens_.forward, all[k]->toSky));
@@ -356,7 +357,7 @@ void OrientationSheet::addSky(const SkyLight& a, const SkyLight& b, const SkyLig
   if (seen < 3 && mesh_.hasEdge && size < kFlat) return addSeen(all, at, per, film);
   if (depth == 0 || size * lens_.focal < kSmall) {
     const SkyLight centre{middle(a.toSky, middle(b.toSky, c.toSky)), (a.light + b.light + c.light) / 3.0};
-    if (const PicturePlace<double> place = lens_.place(centre.toSky); place.inside)
+    if (const PicturePlace<double> place = lens_.placeBeyond(centre.toSky); place.inside)
       film.add({place.x, place.y, centre.light}, per);
     return;
   }
@@ -435,7 +436,7 @@ void OrientationSheet::addLines(const Frame& frame, const Nodes& nodes, int step
         const Corner at = exitAt(
             {frame.azimuth, from.phi + t * (to.phi - from.phi), from.light + t * (to.light - from.light), 0.0, 0.0, {}},
             view);
-        if (const PicturePlace<double> place = lens_.place(-at.lightDir); at.excess > 0.0 && place.inside)
+        if (const PicturePlace<double> place = lens_.placeBeyond(-at.lightDir); at.excess > 0.0 && place.inside)
           film.add({place.x, place.y, share * at.density / parts}, per);
       }
     }

@@ -3,10 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <memory>
 
+#include "beam/tilt_strips.h"
 #include "parallel/loops.h"
 
 namespace parhelion {
@@ -17,14 +16,22 @@ namespace {
 // a single sheet is all, groups are two meshes of it.
 constexpr int kGroups = 8, kGroupsOfOne = 2;
 // The first mesh: cells for 30 degrees of azimuth, and for 90 of the angle from -c.
-constexpr int kColumns = 30, kRows = 90, kMostLevel = 4;
+constexpr int kColumns = 30, kRows = 90, kMostLevel = 4, kMostStripLevel = 2;
 constexpr int kMostPoints = 1 << 12;  // a group
 // What a mesh of half as many cells differs by, times this, is the error.
-constexpr double kOfMesh = 0.4;
+constexpr double kOfMesh = 0.4, kOfStrips = 0.8;
 
 // Light is faint if it is less than this, times the accuracy, of what a pixel has on average; and how much light the
 // picture has, more or less, of crystals' surface.
 constexpr double kFaint = 0.1, kInPicture = 0.15;
+
+// Half the variance of what cells of a pixel's size blur: boxes and what lies linearly between them.
+constexpr double kBlur = 0.17;
+// Strips, rings and cells over the size of a pixel, their least size, and that of a pixel (rad), below which cells
+// would be too many; how far strips reach beyond the angles that there are, and the end of
+// the distribution of tilts.
+constexpr double kOfPixel = 0.5, kSmallestCell = 0.0015, kLargestCell = 0.004, kSmallestPixel = 0.0017, kBeyond = 0.03,
+                 kLeast = 1e-9;
 
 /// Numbers in (0, 1), evenly spread in each dimension and together: additive, by powers of the inverse of the root of
 /// x^(d + 1) = x + 1 (Roberts 2018, the R sequence), with a start of its own for each group.
@@ -63,20 +70,24 @@ class EvenPoints {
 
 class Integration {
  public:
-  Integration(const AxisScene& scene, const SkyAccuracy& accuracy, const Lens& lens)
+  Integration(const AxisScene& scene, const SkyAccuracy& accuracy, const Camera& camera)
       : scene_(scene),
         accuracy_(accuracy),
-        lens_(lens),
-        single_(scene.oneTilt && scene.onePoint && scene.oneColour),
-        groups_(single_ ? kGroupsOfOne : kGroups) {}
+        lens_(camera.lens()),
+        pixel_(1.0 / camera.focalLength()),
+        strips_(!scene.oneTilt && pixel_ > kSmallestPixel),
+        single_((scene.oneTilt || strips_) && scene.onePoint && scene.oneColour),
+        groups_(!single_  ? kGroups
+                : strips_ ? 1
+                          : kGroupsOfOne) {
+    if (strips_) directions_ = std::make_unique<PixelDirections>(camera);
+  }
 
   SkyIntegral run() {
     start(0);
     extend(1);
     while (true) {
       judge();
-      if (std::getenv("DEBUG_SKY"))
-        std::fprintf(stderr, "level %d points %d outer %.4g mesh %.4g\n", level_, points_, outer_, mesh_);
       const double goal = accuracy_.error;
       if (std::hypot(outer_, mesh_) <= goal) {
         result_.reached = true;
@@ -84,7 +95,7 @@ class Integration {
       }
       // Whichever is in the way most is made better.
       if (single_ || (mesh_ > outer_ && mesh_ > 0.5 * goal)) {
-        if (level_ == kMostLevel) break;
+        if (level_ == (strips_ ? kMostStripLevel : kMostLevel)) break;
         const int points = std::max(1, points_ / 2);
         start(level_ + 1);
         extend(points);
@@ -120,18 +131,46 @@ class Integration {
         point.index = light.index;
         point.xyz = light.xyz;
         point.offset = even.at(k, 4);
-        const auto [least, most] = OrientationSheet::anglesAt(point.tilt, point.toSun);
-        table_->prepare(least, most);
+        prepare(point);
         sheets[group].push_back(point);
       }
     }
     SheetMesh mesh{kPi / 6.0 / (kColumns << level_), accuracy_.folds, faintest(), accuracy_.hasEdge, accuracy_.widest};
     forEach(groups_, [&](std::size_t group) {
+      if (strips_) {
+        const double size = cell();
+        TiltStrips all(*table_, *directions_, scene_.tilt, {size, size, size});
+        for (const SheetPoint& point : sheets[group]) totals_[group].add(all.add(point, films_[group]), 1.0);
+        return;
+      }
       OrientationSheet sheet(*table_, lens_, mesh);
       for (const SheetPoint& point : sheets[group]) totals_[group].add(sheet.add(point, films_[group]), 1.0);
     });
     result_.sheets += static_cast<long>(groups_) * (points - points_);
     points_ = points;
+  }
+
+  /// Size of strips, rings and cells, rad.
+  double cell() const {
+    return std::clamp(kOfPixel * pixel_, kSmallestCell, kLargestCell) / static_cast<double>(1 << level_);
+  }
+
+  /// Traces what a sheet needs, or all strips.
+  void prepare(const SheetPoint& point) {
+    if (!strips_) {
+      const auto [least, most] = OrientationSheet::anglesAt(point.tilt, point.toSun);
+      return table_->prepare(least, most);
+    }
+    constexpr int kSteps = 64;
+    const double from = scene_.tilt(kLeast), to = scene_.tilt(1.0 - kLeast), step = (to - from) / kSteps;
+    const double beyond = kBeyond + 2.0 * cell() + step;
+    double first = 0.5 * kPi, last = 0.0;
+    for (int k = 0; k <= kSteps; ++k) {
+      const auto [least, most] = OrientationSheet::anglesAt(from + k * step, point.toSun);
+      first = std::min(first, least - beyond);
+      last = std::max(last, most + beyond);
+    }
+    table_->prepare(std::max(first, 0.0), std::min(last, 0.5 * kPi));
   }
 
   /// Light to a pixel, of one sheet, that does not matter to the accuracy.
@@ -147,7 +186,7 @@ class Integration {
     result_.xyz.resize(pixels);
     result_.variance.resize(pixels);
     std::vector<double> outer(pixels), mesh(pixels), light(pixels);
-    const double per = 1.0 / points_, count = static_cast<double>(groups_);
+    const double per = 1.0 / points_, count = static_cast<double>(groups_), ofMesh = strips_ ? kOfStrips : kOfMesh;
     const auto at = [&](std::size_t group, int x, int y) {
       const PixelFilm& film = films_[group];
       const std::size_t row = static_cast<std::size_t>(y) * static_cast<std::size_t>(width);
@@ -171,8 +210,8 @@ class Integration {
         for (std::size_t group = 0; group < groups_; ++group)
           squares += (each[group] - sum[1]) * (each[group] - sum[1]);
         light[i] = sum[1];
-        outer[i] = squares / (count * (count - 1.0));
-        mesh[i] = kOfMesh * kOfMesh * (sum[3] - sum[1]) * (sum[3] - sum[1]);
+        outer[i] = groups_ > 1 ? squares / (count * (count - 1.0)) : 0.0;
+        mesh[i] = ofMesh * ofMesh * (sum[3] - sum[1]) * (sum[3] - sum[1]);
         result_.xyz[i] = {static_cast<float>(sum[0]), static_cast<float>(sum[1]), static_cast<float>(sum[2])};
       }
     });
@@ -196,6 +235,18 @@ class Integration {
           }
         o /= pixelsAsked;
         m = std::max(m / pixelsAsked, mesh[i]);
+        if (strips_) {
+          // Cells blur what is finer than they are.
+          const auto beside = [&](int dx, int dy) {
+            const int nx = std::clamp(x + dx, 0, width - 1), ny = std::clamp(y + dy, 0, height - 1);
+            return light[static_cast<std::size_t>(ny) * static_cast<std::size_t>(width) + static_cast<std::size_t>(nx)];
+          };
+          const double bend = beside(-1, 0) + beside(1, 0) + beside(0, -1) + beside(0, 1) - 4.0 * light[i];
+          const double narrow = std::min(directions_->solidAngle(i) / pixel_, pixel_);
+          const double ofPixel = std::min(cell() / std::max(narrow, 1e-9), 1.0),
+                       blurred = kBlur * ofPixel * ofPixel * bend;
+          m += blurred * blurred;
+        }
         result_.variance[i] = static_cast<float>(o + m);
         outerSum += std::sqrt(o);
         meshSum += std::sqrt(m);
@@ -212,9 +263,12 @@ class Integration {
   const AxisScene& scene_;
   SkyAccuracy accuracy_;
   Lens lens_;
+  double pixel_;  // rad, on the axis
+  bool strips_;   // all tilts together; else one after the other
   bool single_;
   std::size_t groups_;
   int level_ = 0, points_ = 0;
+  std::unique_ptr<PixelDirections> directions_;
   std::unique_ptr<LightTable> table_;
   std::vector<PixelFilm> films_;
   std::vector<SheetTotals> totals_;
@@ -224,8 +278,8 @@ class Integration {
 
 }  // namespace
 
-SkyIntegral integrateSky(const AxisScene& scene, const SkyAccuracy& accuracy, const Lens& lens) {
-  return Integration(scene, accuracy, lens).run();
+SkyIntegral integrateSky(const AxisScene& scene, const SkyAccuracy& accuracy, const Camera& camera) {
+  return Integration(scene, accuracy, camera).run();
 }
 
 }  // namespace parhelion

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "beam/orientation_sheet.h"
+#include "sky/camera.h"
 
 namespace parhelion {
 
@@ -48,6 +49,6 @@ struct SkyIntegral {
 };
 
 /// Integrates over all orientations. The same bits for any number of threads.
-SkyIntegral integrateSky(const AxisScene& scene, const SkyAccuracy& accuracy, const Lens& lens);
+SkyIntegral integrateSky(const AxisScene& scene, const SkyAccuracy& accuracy, const Camera& camera);
 
 }  // namespace parhelion

@@ -240,7 +240,7 @@ class Sky {
     accuracy.folds = camera_.isMirrorSymmetric() && sun_.toCentre().y == 0.0;
     accuracy.hasEdge = !isPanorama(camera_.settings().projection) && camera_.seam() == 0.0;
     accuracy.widest = widestOf(camera_);
-    const SkyIntegral integral = integrateSky(axis, accuracy, camera_.lens());
+    const SkyIntegral integral = integrateSky(axis, accuracy, camera_);
     PopulationSky sky;
     for (std::size_t i = 0; i < integral.xyz.size(); ++i) {
       const auto& xyz = integral.xyz[i];

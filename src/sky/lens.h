@@ -36,6 +36,16 @@ struct Lens {
     return found;
   }
 
+  /// The same, but what lies a little beyond the image circle has the place where the projection goes on.
+  template <class T>
+  PARHELION_INLINE PicturePlace<T> placeBeyond(const Triple<T>& toSky) const {
+    PicturePlace<T> found = visitProjection(
+        projection, [&](auto facts)
+                        __attribute__((always_inline)) { return placeInFrame<true>(facts, inFrame(toSky)); });
+    found.inside = found.inside & isAbove(toSky);
+    return found;
+  }
+
   // The steps of project(), for loops over many directions through the projection of these `facts`.
 
   /// Whether a direction is not below a horizon that is cut.
@@ -84,16 +94,16 @@ struct Lens {
     return {inside, x, y};
   }
 
-  template <class Facts, class T>
+  template <bool goesOn = false, class Facts, class T>
   PARHELION_INLINE PicturePlace<T> placeInFrame(Facts facts, const Triple<T>& v) const {
     if constexpr (facts.discs > 1) {
       const MaskOf<T> back = v.z < 0.0;
       const Triple<T> turned{select(back, -v.x, v.x), v.y, select(back, -v.z, v.z)};
-      PicturePlace<T> place = inPixels(azimuthalPlace(facts, turned));
+      PicturePlace<T> place = inPixels(azimuthalPlace<goesOn>(facts, turned));
       place.x = place.x + select(back, all<T>(discStep), T{});
       return place;
     } else if constexpr (facts.isAzimuthal) {
-      return inPixels(azimuthalPlace(facts, v));
+      return inPixels(azimuthalPlace<goesOn>(facts, v));
     } else {
       return inPixels(facts.place(v));
     }
@@ -117,11 +127,11 @@ struct Lens {
   }
 
   /// In focal lengths, y up, of a direction of the camera's frame.
-  template <class Facts, class T>
+  template <bool goesOn, class Facts, class T>
   PARHELION_INLINE PicturePlace<T> azimuthalPlace(Facts facts, Triple<T> v) const {
     const MaskOf<T> seen = v.z >= minCosine;
     // What is not seen may have any place. Ahead of the camera there is less to do.
-    v.z = select(seen, v.z, all<T>(1.0));
+    if constexpr (!goesOn) v.z = select(seen, v.z, all<T>(1.0));
     if (anyOf(v.z <= 0.0)) {
       // The antipode is the whole image circle and has no direction of its own: give it the left. The square of this
       // sine is still a normal number.

@@ -82,8 +82,14 @@ TEST_CASE("what cannot be integrated is one clear error, and writes nothing") {
     std::string command, complaint;
   };
   for (const Case& c :
-       std::vector<Case>{{"render s.toml --engine integral -o o.exr", "it makes profiles"},
-                         {"map s.toml -D trace.engine=integral -o o.csv", "it makes profiles"},
+       std::vector<Case>{{"trace s.toml --engine integral -o o.exr", "it makes pictures"},
+                         {"map s.toml -D trace.engine=integral -o o.csv", "it makes pictures"},
+                         {"render s.toml --engine integral -D population.short.orientation=lowitz -o o.exr", "short"},
+                         {"render s.toml --engine integral -D population.short.orientation=parry -o o.exr", "rolls"},
+                         {"render s.toml --engine integral --paths 3-5 -o o.exr", "raypaths"},
+                         {"render s.toml --engine integral --rays 1M -o o.exr", "--rays"},
+                         {"render s.toml --engine integral --symmetry mirror -o o.exr", "--symmetry"},
+                         {"render s.toml --engine integral --slice 1/2 -o o.exr", "--slice"},
                          {"profile s.toml --engine integral -D population.short.orientation=plate -o o.csv", "short"},
                          {"profile s.toml --engine integral -D population.short.shape=pyramid -o o.csv", "short"},
                          {"profile s.toml --engine integral --paths 3-5 -o o.csv", "raypaths"},
@@ -99,4 +105,19 @@ TEST_CASE("what cannot be integrated is one clear error, and writes nothing") {
     CHECK_FALSE(std::filesystem::exists(folder / "o.csv"));
     CHECK_FALSE(std::filesystem::exists(folder / "o.exr"));
   }
+}
+
+TEST_CASE("a picture without rays has its errors, its scene and its figures") {
+  const WithPrisms folder;
+  const Outcome outcome = run(folder,
+                              "parhelion render s.toml --engine integral --error 10% --resolution 64x64 -o o.exr "
+                              "--stats t.json && parhelion info o.exr && parhelion view o.exr -o v.png");
+  CHECK_MESSAGE(outcome.exit == 0, outcome.err);
+  CHECK(outcome.err.find("directions") != std::string::npos);
+  CHECK(outcome.out.find("Variance.Y") != std::string::npos);
+  const auto stats = nlohmann::json::parse(readFile(folder / "t.json"));
+  CHECK(stats["engine"] == "integral");
+  CHECK(stats["rays"] == 0);
+  CHECK(stats["reached"] == true);
+  CHECK(stats["error"].get<double>() <= 0.1);
 }

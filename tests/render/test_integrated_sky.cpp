@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: Apache-2.0
+// Skies without rays, held against rays.
+#include "render/integrated_sky.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <random>
+
+#include <doctest/doctest.h>
+
+#include "parallel/threads.h"
+#include "render/traced_sky.h"
+#include "scenes.h"
+#include "sky/camera.h"
+#include "sky/radiance.h"
+#include "statistics.h"
+
+using namespace parhelion;
+using namespace parhelion::test;
+
+namespace {
+
+/// Bins of 5 degrees over the whole sphere.
+const std::string kBins =
+    "[camera]\nprojection = \"equirectangular\"\nfov_horizontal = 360.0\nresolution = [72, 36]\n"
+    "elevation = 0.0\n[recon]\nmethod = \"none\"\n";
+
+/// A scene of one population of prisms, drawn at random.
+std::string drawnScene(std::mt19937_64& random) {
+  const auto between = [&](double a, double b) { return a + (b - a) * static_cast<double>(random() >> 11) * 0x1p-53; };
+  const int kind = static_cast<int>(random() % 4);
+  char text[600];
+  const double aspect = std::exp(between(std::log(0.1), std::log(4.0))), sun = between(0.0, 75.0);
+  const char* const spectra[] = {"550.0", "650.0"};
+  const char* const orientations[] = {"random", "plate", "column", "column"};
+  const double tilt = kind == 3 ? 0.0 : between(0.5, 12.0);
+  std::snprintf(text, sizeof text,
+                "[sun]\nelevation = %.3f\ndiameter = 0.0\nspectrum = %s\n[[population]]\nshape = \"prism\"\n"
+                "aspect = %.4f\norientation = \"%s\"\n",
+                sun, spectra[random() % 2], aspect, orientations[kind]);
+  std::string scene = text;
+  if (kind > 0) {
+    std::snprintf(text, sizeof text, "tilt = %.3f\n", tilt);
+    scene += text;
+  }
+  return scene;
+}
+
+struct Agreement {
+  int bins = 0, beyond = 0;  // those with light, and those that differ by more than 4.5 sigma
+};
+
+Agreement compare(const std::string& scene, double error) {
+  const LoadedScene loaded = parseScene(scene + kBins + "[trace]\nrays = \"1M\"\nseed = 5\n", "drawn.toml");
+  REQUIRE(objectionToIntegratedSky(loaded.scene).empty());
+  const IntegratedSky integral = integrateSky(loaded, error);
+  const Image rays = plainRadiance(traceSky(loaded, cloudByLight(loaded.scene)).tally.flattened());
+  const auto& a = *integral.image.find("G");
+  const auto& b = *rays.find("G");
+  const auto &va = *integral.image.find(kVarianceChannel), &vb = *rays.find(kVarianceChannel);
+  Agreement result;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    // Few hits of unequal light are not spread as sigmas say.
+    if (static_cast<double>(vb[i]) > std::pow(0.1 * static_cast<double>(b[i]), 2.0)) continue;
+    const double sigma = std::sqrt(static_cast<double>(va[i]) + static_cast<double>(vb[i]));
+    const double apart = std::abs(static_cast<double>(a[i]) - static_cast<double>(b[i])) / sigma;
+    ++result.bins;
+    result.beyond += apart > kSigmas;
+  }
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("rays agree with integrated skies of prisms drawn at random") {
+  std::mt19937_64 random(20261129);
+  for (int k = 0; k < 6; ++k) {
+    const std::string scene = drawnScene(random);
+    CAPTURE(scene);
+    const Agreement agreement = compare(scene, 0.02);
+    CHECK(agreement.bins > 20);
+    CHECK(agreement.beyond == 0);
+  }
+}
+
+namespace {
+
+const std::string kColumns =
+    "[sun]\nelevation = 45.0\ndiameter = 0.0\nspectrum = 550.0\n[[population]]\n"
+    "aspect = 1.3\norientation = \"column\"\ntilt = 0.0\n";
+const std::string kPlates =
+    "[sun]\nelevation = 32.0\ndiameter = 0.0\nspectrum = 550.0\n[[population]]\n"
+    "aspect = 0.25\norientation = \"plate\"\ntilt = 0.7\n";
+const std::string kFisheye = "[camera]\nprojection = \"fisheye-equal-area\"\nresolution = [96, 96]\n";
+
+IntegratedSky skyOf(const std::string& scene, double error) { return integrateSky(parseScene(scene, "s.toml"), error); }
+
+/// Shares of the pixels in which two pictures differ by at most 1, 2 and 3 of the first one's stated errors.
+std::array<double, 3> within(const Image& a, const Image& b) {
+  const auto &la = *a.find("G"), &lb = *b.find("G"), &variance = *a.find(kVarianceChannel);
+  std::array<double, 3> counts{};
+  double pixels = 0.0;
+  for (std::size_t i = 0; i < la.size(); ++i) {
+    if (la[i] <= 0.0F && lb[i] <= 0.0F) continue;
+    pixels += 1.0;
+    const double apart = std::abs(static_cast<double>(la[i]) - static_cast<double>(lb[i]));
+    for (std::size_t k = 0; k < 3; ++k)
+      counts[k] += apart <= static_cast<double>(k + 1) * std::sqrt(static_cast<double>(variance[i]));
+  }
+  for (double& count : counts) count /= pixels;
+  return counts;
+}
+
+}  // namespace
+
+TEST_CASE("the errors that integrated skies state are those that they have against finer ones") {
+  for (const std::string& scene : {kColumns, kPlates}) {
+    CAPTURE(scene);
+    const auto shares = within(skyOf(scene + kFisheye, 0.1).image, skyOf(scene + kFisheye, 0.004).image);
+    CHECK(shares[0] >= 0.6);
+    CHECK(shares[1] >= 0.9);
+    CHECK(shares[2] >= 0.96);
+  }
+}
+
+TEST_CASE("an integrated sky is the same to the bit for any number of threads") {
+  const std::string display =
+      "[sun]\nspectrum = [500.0, 600.0]\n[[population]]\nname = \"a\"\naspect = 0.3\n"
+      "orientation = \"plate\"\ntilt = 1.0\n[[population]]\nname = \"b\"\naspect = 1.0\n"
+      "orientation = \"random\"\n[camera]\nresolution = [40, 40]\n";
+  const Image one = withThreads(1, [&] { return skyOf(display, 0.3).image; }),
+              three = withThreads(3, [&] { return skyOf(display, 0.3).image; });
+  REQUIRE(one.channels.size() == three.channels.size());
+  for (std::size_t k = 0; k < one.channels.size(); ++k) CHECK(one.channels[k].samples == three.channels[k].samples);
+}
+
+TEST_CASE("populations as layers add up to an integrated sky") {
+  const IntegratedSky sky = skyOf(
+      "layers = \"populations\"\n[sun]\nspectrum = 550.0\ndiameter = 0.0\n"
+      "[[population]]\nname = \"a\"\naspect = 0.3\norientation = \"plate\"\n"
+      "tilt = 1.0\n[[population]]\nname = \"b\"\naspect = 1.0\n"
+      "orientation = \"random\"\n[camera]\nresolution = [40, 40]\n",
+      0.1);
+  const auto &all = *sky.image.find("G"), &a = *sky.image.find("a.G"), &b = *sky.image.find("b.G"),
+             &rest = *sky.image.find("rest.G");
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    CHECK(rest[i] == 0.0F);
+    CHECK(static_cast<double>(a[i]) + static_cast<double>(b[i]) ==
+          doctest::Approx(static_cast<double>(all[i])).epsilon(1e-5));
+  }
+}
+
+TEST_CASE("light that rays find from an integrated sky's ledger") {
+  // What goes straight on, and all light: of plates at rest under a high sun.
+  const LoadedScene loaded = parseScene(kPlates + kBins + "[trace]\nrays = \"300k\"\n", "p.toml");
+  const IntegratedSky sky = integrateSky(loaded, 0.1);
+  const TallyInfo traced = traceSky(loaded, cloudByLight(loaded.scene)).tally.info();
+  CHECK(sky.info.undeviatedFraction() == doctest::Approx(traced.undeviatedFraction()).epsilon(0.01));
+  CHECK(sky.cutOff < 1e-6);
+  const std::vector<double> solidAngles = Camera(loaded.scene.camera).solidAngles();
+  const auto& light = *sky.image.find("G");
+  double sum = sky.info.undeviatedFraction() + sky.cutOff;
+  for (std::size_t i = 0; i < light.size(); ++i) sum += solidAngles[i] * static_cast<double>(light[i]);
+  CHECK(sum == doctest::Approx(1.0).epsilon(2e-3));
+}
