@@ -5,7 +5,7 @@
 #include <cmath>
 #include <memory>
 
-#include "beam/tilt_strips.h"
+#include "beam/tilt_bands.h"
 #include "parallel/loops.h"
 
 namespace parhelion {
@@ -16,10 +16,10 @@ namespace {
 // a single sheet is all, groups are two meshes of it.
 constexpr int kGroups = 8, kGroupsOfOne = 2;
 // The first mesh: cells for 30 degrees of azimuth, and for 90 of the angle from -c.
-constexpr int kColumns = 30, kRows = 90, kMostLevel = 4, kMostStripLevel = 2;
+constexpr int kColumns = 30, kRows = 90, kMostLevel = 4, kMostBandLevel = 2;
 constexpr int kMostPoints = 1 << 12;  // a group
 // What a mesh of half as many cells differs by, times this, is the error.
-constexpr double kOfMesh = 0.4, kOfStrips = 0.8;
+constexpr double kOfMesh = 0.4, kOfBands = 0.8;
 
 // Light is faint if it is less than this, times the accuracy, of what a pixel has on average; and how much light the
 // picture has, more or less, of crystals' surface.
@@ -27,8 +27,8 @@ constexpr double kFaint = 0.1, kInPicture = 0.15;
 
 // Half the variance of what cells of a pixel's size blur: boxes and what lies linearly between them.
 constexpr double kBlur = 0.17;
-// Strips, rings and cells over the size of a pixel, their least size, and that of a pixel (rad), below which cells
-// would be too many; how far strips reach beyond the angles that there are, and the end of
+// Bands, rings and cells over the size of a pixel, their least size, and that of a pixel (rad), below which cells
+// would be too many; how far bands reach beyond the angles that there are, and the end of
 // the distribution of tilts.
 constexpr double kOfPixel = 0.5, kSmallestCell = 0.0015, kLargestCell = 0.004, kSmallestPixel = 0.0017, kBeyond = 0.03,
                  kLeast = 1e-9;
@@ -75,12 +75,12 @@ class Integration {
         accuracy_(accuracy),
         lens_(camera.lens()),
         pixel_(1.0 / camera.focalLength()),
-        strips_(!scene.oneTilt && pixel_ > kSmallestPixel),
-        single_((scene.oneTilt || strips_) && scene.onePoint && scene.oneColour),
-        groups_(!single_  ? kGroups
-                : strips_ ? 1
-                          : kGroupsOfOne) {
-    if (strips_) directions_ = std::make_unique<PixelDirections>(camera);
+        bands_(!scene.oneTilt && pixel_ > kSmallestPixel),
+        single_((scene.oneTilt || bands_) && scene.onePoint && scene.oneColour),
+        groups_(!single_ ? kGroups
+                : bands_ ? 1
+                         : kGroupsOfOne) {
+    if (bands_) directions_ = std::make_unique<PixelDirections>(camera);
   }
 
   SkyIntegral run() {
@@ -95,7 +95,7 @@ class Integration {
       }
       // Whichever is in the way most is made better.
       if (single_ || (mesh_ > outer_ && mesh_ > 0.5 * goal)) {
-        if (level_ == (strips_ ? kMostStripLevel : kMostLevel)) break;
+        if (level_ == (bands_ ? kMostBandLevel : kMostLevel)) break;
         const int points = std::max(1, points_ / 2);
         start(level_ + 1);
         extend(points);
@@ -137,9 +137,9 @@ class Integration {
     }
     SheetMesh mesh{kPi / 6.0 / (kColumns << level_), accuracy_.folds, faintest(), accuracy_.hasEdge, accuracy_.widest};
     forEach(groups_, [&](std::size_t group) {
-      if (strips_) {
+      if (bands_) {
         const double size = cell();
-        TiltStrips all(*table_, *directions_, scene_.tilt, {size, size, size});
+        TiltBands all(*table_, *directions_, scene_.tilt, {size, size, size});
         for (const SheetPoint& point : sheets[group]) totals_[group].add(all.add(point, films_[group]), 1.0);
         return;
       }
@@ -150,14 +150,14 @@ class Integration {
     points_ = points;
   }
 
-  /// Size of strips, rings and cells, rad.
+  /// Size of bands, rings and cells, rad.
   double cell() const {
     return std::clamp(kOfPixel * pixel_, kSmallestCell, kLargestCell) / static_cast<double>(1 << level_);
   }
 
-  /// Traces what a sheet needs, or all strips.
+  /// Traces what a sheet needs, or all bands.
   void prepare(const SheetPoint& point) {
-    if (!strips_) {
+    if (!bands_) {
       const auto [least, most] = OrientationSheet::anglesAt(point.tilt, point.toSun);
       return table_->prepare(least, most);
     }
@@ -186,7 +186,7 @@ class Integration {
     result_.xyz.resize(pixels);
     result_.variance.resize(pixels);
     std::vector<double> outer(pixels), mesh(pixels), light(pixels);
-    const double per = 1.0 / points_, count = static_cast<double>(groups_), ofMesh = strips_ ? kOfStrips : kOfMesh;
+    const double per = 1.0 / points_, count = static_cast<double>(groups_), ofMesh = bands_ ? kOfBands : kOfMesh;
     const auto at = [&](std::size_t group, int x, int y) {
       const PixelFilm& film = films_[group];
       const std::size_t row = static_cast<std::size_t>(y) * static_cast<std::size_t>(width);
@@ -235,7 +235,7 @@ class Integration {
           }
         o /= pixelsAsked;
         m = std::max(m / pixelsAsked, mesh[i]);
-        if (strips_) {
+        if (bands_) {
           // Cells blur what is finer than they are.
           const auto beside = [&](int dx, int dy) {
             const int nx = std::clamp(x + dx, 0, width - 1), ny = std::clamp(y + dy, 0, height - 1);
@@ -264,7 +264,7 @@ class Integration {
   SkyAccuracy accuracy_;
   Lens lens_;
   double pixel_;  // rad, on the axis
-  bool strips_;   // all tilts together; else one after the other
+  bool bands_;    // all tilts together; else one after the other
   bool single_;
   std::size_t groups_;
   int level_ = 0, points_ = 0;

@@ -41,27 +41,27 @@ class PixelDirections {
   std::vector<double> solidAngles_;
 };
 
-/// How finely strips are cut.
-struct StripMesh {
-  double strip = 0.0;  // thickness, rad
-  double ring = 0.0;   // of the sky about the sun, rad
-  double cell = 0.0;   // along the rings, rad of azimuth
+/// How finely bands are cut.
+struct BandMesh {
+  double band = 0.0;  // thickness, rad
+  double ring = 0.0;  // of the sky about the sun, rad
+  double cell = 0.0;  // along the rings, rad of azimuth
 };
 
 /// All orientations of crystals whose c axes have any distribution of tilts, with all azimuths and rolls alike, and the
 /// light of one point of the sun at one index.
 ///
 /// What a crystal does to light depends on the angle alpha between its c axis and the light and on its roll about c.
-/// Turning it about the light turns its light around the sun, no more. So for a strip of alpha the sky about the sun is
+/// Turning it about the light turns its light around the sun, no more. So for a band of alpha the sky about the sun is
 /// that of one azimuth psi of c about the sun, all rolls together, convolved along the rings with the distribution of
-/// psi within the strip. The sky is summed in rings and cells about the sun, which pixels then take their means of.
+/// psi within the band. The sky is summed in rings and cells about the sun, which pixels then take their means of.
 ///
-/// A film's sums are those of OrientationSheet; its fourth is from strips and rolls of twice the size.
-class TiltStrips {
+/// A film's sums are those of OrientationSheet; its fourth is from bands and rolls of twice the size.
+class TiltBands {
  public:
   /// Table and directions must outlive this. `tilt` is the inverse of the distribution of tilts (rad).
-  TiltStrips(const LightTable& table, const PixelDirections& directions, std::function<double(double)> tilt,
-             const StripMesh& mesh);
+  TiltBands(const LightTable& table, const PixelDirections& directions, std::function<double(double)> tilt,
+            const BandMesh& mesh);
 
   SheetTotals add(const SheetPoint& point, PixelFilm& film);
 
@@ -75,7 +75,7 @@ class TiltStrips {
   struct Corner {
     double alpha, phi, light, density, excess, place, turn;
   };
-  /// The distribution of psi within a strip: how much in which cell, from `first` on.
+  /// The distribution of psi within a band: how much in which cell, from `first` on.
   struct Azimuths {
     std::size_t first = 0;
     std::vector<float> share;
@@ -88,8 +88,8 @@ class TiltStrips {
 
   void distribute();
   void see(double alpha, int number, Row& row);
-  void addStrip(const Row& a, double alphaA, const Row& b, double alphaB, int step, const Azimuths& azimuths,
-                Rings& rings);
+  void addBand(const Row& a, double alphaA, const Row& b, double alphaB, int step, const Azimuths& azimuths,
+               Rings& rings);
   void addEdge(const Corner& a, const Corner& b, const Corner& c, double share, int depth, const Azimuths& azimuths,
                Rings& rings);
   void addTriangle(const Corner& a, const Corner& b, const Corner& c, double share, const Azimuths& azimuths,
@@ -102,13 +102,13 @@ class TiltStrips {
   const LightTable& table_;
   const PixelDirections& directions_;
   std::function<double(double)> tilt_;
-  int strips_;         // over a quarter turn
+  int bands_;          // over a quarter turn
   std::size_t rings_;  // over half a turn
   std::size_t cells_;  // over half a turn
   std::vector<double> sinPhi_, cosPhi_;
   SheetPoint point_;
   Vec3 distributedFor_{0.0};
-  std::vector<Azimuths> azimuths_;  // by strip
+  std::vector<Azimuths> azimuths_;  // by band
   std::vector<double> parts_;
   int class_ = 0;
   Rings fine_, coarse_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "beam/tilt_strips.h"
+#include "beam/tilt_bands.h"
 
 #include <algorithm>
 #include <cmath>
@@ -45,12 +45,12 @@ Vec3 PixelDirections::within(int x, int y, double u, double v) const {
 
 double PixelDirections::size(int x, int y) const { return glm::distance(corner(x, y), corner(x + 1, y + 1)); }
 
-TiltStrips::TiltStrips(const LightTable& table, const PixelDirections& directions, std::function<double(double)> tilt,
-                       const StripMesh& mesh)
+TiltBands::TiltBands(const LightTable& table, const PixelDirections& directions, std::function<double(double)> tilt,
+                     const BandMesh& mesh)
     : table_(table),
       directions_(directions),
       tilt_(std::move(tilt)),
-      strips_(2 * std::max(1, static_cast<int>(std::ceil(0.25 * kPi / mesh.strip)))),
+      bands_(2 * std::max(1, static_cast<int>(std::ceil(0.25 * kPi / mesh.band)))),
       rings_(static_cast<std::size_t>(std::ceil(kPi / mesh.ring))),
       cells_(static_cast<std::size_t>(std::ceil(kPi / mesh.cell))) {
   for (int column = 0; column < table.room(); ++column) {
@@ -60,11 +60,11 @@ TiltStrips::TiltStrips(const LightTable& table, const PixelDirections& direction
   }
 }
 
-void TiltStrips::distribute() {
+void TiltBands::distribute() {
   if (distributedFor_ == point_.toSun) return;
   distributedFor_ = point_.toSun;
   // c by its angle from the sun, up to half a turn, and its azimuth about the sun from the zenith's.
-  PixelFilm film(static_cast<int>(cells_), 2 * strips_);
+  PixelFilm film(static_cast<int>(cells_), 2 * bands_);
   const Vec3 sun = point_.toSun;
   const double level = std::hypot(sun.x, sun.y);
   const Vec3 ahead = level > 0.0 ? Vec3(sun.x / level, sun.y / level, 0.0) : Vec3(1.0, 0.0, 0.0);
@@ -76,7 +76,7 @@ void TiltStrips::distribute() {
     const Vec3 c = sinTilt * cos * ahead + sinTilt * sin * left + Vec3(0.0, 0.0, cosTilt);
     const double across = glm::dot(c, up), beside = std::abs(glm::dot(c, left));
     return LitPlace{portable::atan2(beside, across) / kPi * static_cast<double>(cells_),
-                    portable::atan2(std::hypot(across, beside), glm::dot(c, sun)) / kPi * 2.0 * strips_, 0.0};
+                    portable::atan2(std::hypot(across, beside), glm::dot(c, sun)) / kPi * 2.0 * bands_, 0.0};
   };
   const auto quantile = [](int k) { return 0.5 - 0.5 * portable::cos(kPi * k / kTilts); };
   const PixelFilm::Four per{1.0, 0.0, 0.0, 0.0};
@@ -92,7 +92,7 @@ void TiltStrips::distribute() {
         for (LitPlace& one : corner) {
           one.light = light;
           one.x = std::min(one.x, static_cast<double>(cells_) * (1.0 - 1e-12));
-          one.y = std::min(one.y, 2.0 * strips_ * (1.0 - 1e-12));
+          one.y = std::min(one.y, 2.0 * bands_ * (1.0 - 1e-12));
         }
         film.addQuad(corner, per);
       }
@@ -100,14 +100,14 @@ void TiltStrips::distribute() {
     before.swap(row);
   }
   // -c does what c does, on the other side of the sun.
-  azimuths_.assign(static_cast<std::size_t>(strips_), {});
+  azimuths_.assign(static_cast<std::size_t>(bands_), {});
   std::vector<float> share(cells_);
-  for (std::size_t strip = 0; strip < azimuths_.size(); ++strip) {
-    const std::size_t mirrored = 2 * azimuths_.size() - 1 - strip;
+  for (std::size_t band = 0; band < azimuths_.size(); ++band) {
+    const std::size_t mirrored = 2 * azimuths_.size() - 1 - band;
     std::size_t first = cells_, last = 0;
-    Azimuths& azimuths = azimuths_[strip];
+    Azimuths& azimuths = azimuths_[band];
     for (std::size_t cell = 0; cell < cells_; ++cell) {
-      const double sum = film.at(strip * cells_ + cell)[0] + film.at(mirrored * cells_ + (cells_ - 1 - cell))[0];
+      const double sum = film.at(band * cells_ + cell)[0] + film.at(mirrored * cells_ + (cells_ - 1 - cell))[0];
       share[cell] = static_cast<float>(sum);
       azimuths.all += sum;
       if (sum <= 0.0) continue;
@@ -121,17 +121,17 @@ void TiltStrips::distribute() {
   }
 }
 
-SheetTotals TiltStrips::add(const SheetPoint& point, PixelFilm& film) {
+SheetTotals TiltBands::add(const SheetPoint& point, PixelFilm& film) {
   point_ = point;
   parts_ = table_.partsOf(point.index);
   distribute();
   for (Rings* rings : {&fine_, &coarse_}) rings->light.assign(rings_ * 3 * cells_, 0.0F);
-  const double thick = 0.5 * kPi / strips_;
+  const double thick = 0.5 * kPi / bands_;
   SheetTotals totals;
-  for (int strip = 0; strip < strips_; ++strip) {
-    const double all = azimuths_[static_cast<std::size_t>(strip)].all;
+  for (int band = 0; band < bands_; ++band) {
+    const double all = azimuths_[static_cast<std::size_t>(band)].all;
     if (all <= 0.0) continue;
-    for (const double alpha : {strip * thick, (strip + 1) * thick}) {
+    for (const double alpha : {band * thick, (band + 1) * thick}) {
       const LightTable::Totals at = table_.totalsAt(alpha, parts_);
       totals.intercepted += 0.5 * all * at.intercepted;
       totals.cutOff += 0.5 * all * at.cutOff;
@@ -143,17 +143,17 @@ SheetTotals TiltStrips::add(const SheetPoint& point, PixelFilm& film) {
     class_ = number;
     const bool undeviated = LightClass(number).isUndeviated();
     double seen[3] = {-1.0, -1.0, -1.0};
-    const auto rowAt = [&](int strip) -> Row& {
-      const auto slot = static_cast<std::size_t>(strip % 3);
-      if (seen[slot] != strip) see(strip * thick, number, rows[slot]);
-      seen[slot] = strip;
+    const auto rowAt = [&](int band) -> Row& {
+      const auto slot = static_cast<std::size_t>(band % 3);
+      if (seen[slot] != band) see(band * thick, number, rows[slot]);
+      seen[slot] = band;
       return rows[slot];
     };
-    for (int strip = 0; strip < strips_; strip += 2) {
-      const Azimuths &first = azimuths_[static_cast<std::size_t>(strip)],
-                     &second = azimuths_[static_cast<std::size_t>(strip) + 1];
+    for (int band = 0; band < bands_; band += 2) {
+      const Azimuths &first = azimuths_[static_cast<std::size_t>(band)],
+                     &second = azimuths_[static_cast<std::size_t>(band) + 1];
       if (first.all + second.all <= 0.0) continue;
-      const Row &a = rowAt(strip), &b = rowAt(strip + 1), &c = rowAt(strip + 2);
+      const Row &a = rowAt(band), &b = rowAt(band + 1), &c = rowAt(band + 2);
       if (a.dark && b.dark && c.dark) continue;
       if (undeviated) {
         const auto mean = [&](const Row& row) {
@@ -165,10 +165,10 @@ SheetTotals TiltStrips::add(const SheetPoint& point, PixelFilm& film) {
         totals.undeviated += 0.5 * (first.all * (mean(a) + mean(b)) + second.all * (mean(b) + mean(c)));
         continue;
       }
-      const double alpha = strip * thick;
-      addStrip(a, alpha, b, alpha + thick, 1, first, fine_);
-      addStrip(b, alpha + thick, c, alpha + 2.0 * thick, 1, second, fine_);
-      // Both strips together.
+      const double alpha = band * thick;
+      addBand(a, alpha, b, alpha + thick, 1, first, fine_);
+      addBand(b, alpha + thick, c, alpha + 2.0 * thick, 1, second, fine_);
+      // Both bands together.
       const std::size_t firstCell = first.all <= 0.0    ? second.first
                                     : second.all <= 0.0 ? first.first
                                                         : std::min(first.first, second.first);
@@ -178,7 +178,7 @@ SheetTotals TiltStrips::add(const SheetPoint& point, PixelFilm& film) {
       both.all = first.all + second.all;
       for (const Azimuths* one : {&first, &second})
         for (std::size_t k = 0; k < one->share.size(); ++k) both.share[one->first - firstCell + k] += one->share[k];
-      addStrip(a, alpha, c, alpha + 2.0 * thick, 2, both, coarse_);
+      addBand(a, alpha, c, alpha + 2.0 * thick, 2, both, coarse_);
     }
   }
   fold(fine_);
@@ -187,7 +187,7 @@ SheetTotals TiltStrips::add(const SheetPoint& point, PixelFilm& film) {
   return totals;
 }
 
-PARHELION_ALSO_AVX2 void TiltStrips::see(double alpha, int number, Row& row) {
+PARHELION_ALSO_AVX2 void TiltBands::see(double alpha, int number, Row& row) {
   const auto room = static_cast<std::size_t>(table_.room());
   for (auto* values : {&row.light, &row.density, &row.excess, &row.place, &row.turn}) values->resize(room);
   row.dark = !table_.lightAt(alpha, number, parts_, row.light.data());
@@ -214,7 +214,7 @@ PARHELION_ALSO_AVX2 void TiltStrips::see(double alpha, int number, Row& row) {
   }
 }
 
-TiltStrips::Corner TiltStrips::exitAt(Corner corner) const {
+TiltBands::Corner TiltBands::exitAt(Corner corner) const {
   const auto [sin, cos] = portable::sincos(corner.alpha);
   const auto [sinPhi, cosPhi] = portable::sincos(corner.phi);
   const Triple<double> s{sin * cosPhi, sin * sinPhi, -cos};
@@ -229,8 +229,8 @@ TiltStrips::Corner TiltStrips::exitAt(Corner corner) const {
   return corner;
 }
 
-void TiltStrips::addStrip(const Row& a, double alphaA, const Row& b, double alphaB, int step, const Azimuths& azimuths,
-                          Rings& rings) {
+void TiltBands::addBand(const Row& a, double alphaA, const Row& b, double alphaB, int step, const Azimuths& azimuths,
+                        Rings& rings) {
   if (azimuths.all <= 0.0 || (a.dark && b.dark)) return;
   const double share = 0.5 * step / table_.columns();
   const auto corner = [&](const Row& row, double alpha, int column) {
@@ -251,8 +251,8 @@ void TiltStrips::addStrip(const Row& a, double alphaA, const Row& b, double alph
   }
 }
 
-void TiltStrips::addEdge(const Corner& a, const Corner& b, const Corner& c, double share, int depth,
-                         const Azimuths& azimuths, Rings& rings) {
+void TiltBands::addEdge(const Corner& a, const Corner& b, const Corner& c, double share, int depth,
+                        const Azimuths& azimuths, Rings& rings) {
   if (std::max({a.excess, b.excess, c.excess}) <= 0.0) return;
   if (std::min({a.excess, b.excess, c.excess}) > 0.0 || depth == 0) return addTriangle(a, b, c, share, azimuths, rings);
   const auto between = [&](const Corner& p, const Corner& q) {
@@ -265,8 +265,8 @@ void TiltStrips::addEdge(const Corner& a, const Corner& b, const Corner& c, doub
   addEdge(ab, bc, ca, 0.25 * share, depth - 1, azimuths, rings);
 }
 
-void TiltStrips::addTriangle(const Corner& a, const Corner& b, const Corner& c, double share, const Azimuths& azimuths,
-                             Rings& rings) {
+void TiltBands::addTriangle(const Corner& a, const Corner& b, const Corner& c, double share, const Azimuths& azimuths,
+                            Rings& rings) {
   // Across the rings exactly. Along them, light of a ring is where the triangle is there on average, as wide as it is.
   double place[3] = {a.place, b.place, c.place};
   double light[3] = {share * a.density, share * b.density, share * c.density};
@@ -300,8 +300,8 @@ void TiltStrips::addTriangle(const Corner& a, const Corner& b, const Corner& c, 
   });
 }
 
-PARHELION_ALSO_AVX2 void TiltStrips::addTurned(std::size_t ring, double light, double turn, double width,
-                                               const Azimuths& azimuths, Rings& rings) {
+PARHELION_ALSO_AVX2 void TiltBands::addTurned(std::size_t ring, double light, double turn, double width,
+                                              const Azimuths& azimuths, Rings& rings) {
   if (!(light > 0.0)) return;
   // A box of cells, one for each of its own.
   const int parts = 1 + static_cast<int>(std::min(width, static_cast<double>(cells_)));
@@ -323,7 +323,7 @@ PARHELION_ALSO_AVX2 void TiltStrips::addTurned(std::size_t ring, double light, d
   }
 }
 
-void TiltStrips::fold(Rings& rings) const {
+void TiltBands::fold(Rings& rings) const {
   const auto cells = static_cast<std::ptrdiff_t>(cells_);
   for (std::size_t ring = 0; ring < rings_; ++ring) {
     float* const row = rings.light.data() + ring * 3 * cells_ + cells_;
@@ -331,7 +331,7 @@ void TiltStrips::fold(Rings& rings) const {
   }
 }
 
-void TiltStrips::expose(PixelFilm& film) const {
+void TiltBands::expose(PixelFilm& film) const {
   const Camera& camera = directions_.camera();
   const Vec3 sun = point_.toSun;
   const double level = std::hypot(sun.x, sun.y);
