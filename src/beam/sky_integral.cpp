@@ -14,16 +14,16 @@ namespace {
 
 // Sheets come in groups, each of which is spread evenly by itself. By how much groups differ, their mean errs. Where
 // a single sheet is all, groups are two meshes of it.
-constexpr int kGroups = 8, kGroupsOfOne = 2;
+constexpr int kGroups = 8, kGroupsOfOne = 1;
 // The first mesh: cells for 30 degrees of azimuth, and for 90 of the angle from -c.
-constexpr int kColumns = 30, kRows = 90, kMostLevel = 4, kMostBandLevel = 2;
+constexpr int kColumns = 40, kRows = 120, kMostLevel = 4, kMostBandLevel = 2;
 constexpr int kMostPoints = 1 << 12;  // a group
 // What a mesh of half as many cells differs by, times this, is the error.
 constexpr double kOfMesh = 0.4, kOfBands = 0.8;
 
 // Light is faint if it is less than this, times the accuracy, of what a pixel has on average; and how much light the
 // picture has, more or less, of crystals' surface.
-constexpr double kFaint = 0.1, kInPicture = 0.15;
+constexpr double kFaint = 0.2, kInPicture = 0.15;
 
 // Half the variance of what cells of a pixel's size blur: boxes and what lies linearly between them.
 constexpr double kBlur = 0.17;
