@@ -218,14 +218,14 @@ void OrientationSheet::addClass(const Run& run, int number, PixelFilm& film) {
   if (frames.size() == 1) {
     if (nodes_[0].dark) return;
     addLines(frames[0], nodes_[0], 1, film);
-    addLines(frames[0], nodes_[0], 2, film);
+    if (mesh_.coarse) addLines(frames[0], nodes_[0], 2, film);
     return;
   }
   for (std::size_t i = 1; i < frames.size(); ++i) {
     Nodes& nodes = nodes_[i % 3];
     see(frames[i], number, nodes);
     addRow(frames[i - 1], nodes_[(i + 2) % 3], frames[i], nodes, 1, film);
-    if (i % 2 == 0) addRow(frames[i - 2], nodes_[(i + 1) % 3], frames[i], nodes, 2, film);
+    if (mesh_.coarse && i % 2 == 0) addRow(frames[i - 2], nodes_[(i + 1) % 3], frames[i], nodes, 2, film);
   }
 }
 

@@ -27,6 +27,7 @@ struct SheetMesh {
   double faint = 0.0;    // light to a pixel, below which it is put to its place by points
   bool hasEdge = false;  // the projection goes on smoothly beyond what the camera sees
   double widest = -2.0;  // cosine of the largest angle from the camera's axis that the picture shows; -2: all
+  bool coarse = true;    // the film's fourth sum is wanted
 };
 
 /// Of one sheet's light: what crystals intercept, what goes straight on, and what was cut off; per surface.

@@ -19,7 +19,7 @@ constexpr int kGroups = 8, kGroupsOfOne = 1;
 constexpr int kColumns = 40, kRows = 120, kMostLevel = 4, kMostBandLevel = 2;
 constexpr int kMostPoints = 1 << 12;  // a group
 // What a mesh of half as many cells differs by, times this, is the error.
-constexpr double kOfMesh = 0.4, kOfBands = 0.8;
+constexpr double kOfMesh = 0.6, kOfBands = 0.8, kOfBandsBefore = 0.6;
 
 // Light is faint if it is less than this, times the accuracy, of what a pixel has on average; and how much light the
 // picture has, more or less, of crystals' surface.
@@ -97,6 +97,12 @@ class Integration {
       if (single_ || (mesh_ > outer_ && mesh_ > 0.5 * goal)) {
         if (level_ == (bands_ ? kMostBandLevel : kMostLevel)) break;
         const int points = std::max(1, points_ / 2);
+        // Of a single sheet the last mesh has half as many cells as the next.
+        if (single_)
+          for (std::size_t i = 0; i < result_.xyz.size(); ++i) {
+            previous_.resize(result_.xyz.size());
+            previous_[i] = static_cast<double>(result_.xyz[i][1]);
+          }
         start(level_ + 1);
         extend(points);
       } else {
@@ -135,11 +141,16 @@ class Integration {
         sheets[group].push_back(point);
       }
     }
-    SheetMesh mesh{kPi / 6.0 / (kColumns << level_), accuracy_.folds, faintest(), accuracy_.hasEdge, accuracy_.widest};
+    SheetMesh mesh{kPi / 6.0 / (kColumns << level_),
+                   accuracy_.folds,
+                   faintest(),
+                   accuracy_.hasEdge,
+                   accuracy_.widest,
+                   previous_.empty()};
     forEach(groups_, [&](std::size_t group) {
       if (bands_) {
         const double size = cell();
-        TiltBands all(*table_, *directions_, scene_.tilt, {size, size, size});
+        TiltBands all(*table_, *directions_, scene_.tilt, {size, size, size, previous_.empty()});
         for (const SheetPoint& point : sheets[group]) totals_[group].add(all.add(point, films_[group]), 1.0);
         return;
       }
@@ -186,7 +197,10 @@ class Integration {
     result_.xyz.resize(pixels);
     result_.variance.resize(pixels);
     std::vector<double> outer(pixels), mesh(pixels), light(pixels);
-    const double per = 1.0 / points_, count = static_cast<double>(groups_), ofMesh = bands_ ? kOfBands : kOfMesh;
+    const double per = 1.0 / points_, count = static_cast<double>(groups_),
+                 ofMesh = !bands_             ? kOfMesh
+                          : previous_.empty() ? kOfBands
+                                              : kOfBandsBefore;
     const auto at = [&](std::size_t group, int x, int y) {
       const PixelFilm& film = films_[group];
       const std::size_t row = static_cast<std::size_t>(y) * static_cast<std::size_t>(width);
@@ -211,7 +225,8 @@ class Integration {
           squares += (each[group] - sum[1]) * (each[group] - sum[1]);
         light[i] = sum[1];
         outer[i] = groups_ > 1 ? squares / (count * (count - 1.0)) : 0.0;
-        mesh[i] = ofMesh * ofMesh * (sum[3] - sum[1]) * (sum[3] - sum[1]);
+        const double coarse = previous_.empty() ? sum[3] : previous_[i];
+        mesh[i] = ofMesh * ofMesh * (coarse - sum[1]) * (coarse - sum[1]);
         result_.xyz[i] = {static_cast<float>(sum[0]), static_cast<float>(sum[1]), static_cast<float>(sum[2])};
       }
     });
@@ -271,6 +286,7 @@ class Integration {
   std::unique_ptr<PixelDirections> directions_;
   std::unique_ptr<LightTable> table_;
   std::vector<PixelFilm> films_;
+  std::vector<double> previous_;  // Y of a single sheet at the last level
   std::vector<SheetTotals> totals_;
   double outer_ = 0.0, mesh_ = 0.0;
   SkyIntegral result_;

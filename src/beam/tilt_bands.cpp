@@ -52,7 +52,8 @@ TiltBands::TiltBands(const LightTable& table, const PixelDirections& directions,
       tilt_(std::move(tilt)),
       bands_(2 * std::max(1, static_cast<int>(std::ceil(0.25 * kPi / mesh.band)))),
       rings_(static_cast<std::size_t>(std::ceil(kPi / mesh.ring))),
-      cells_(static_cast<std::size_t>(std::ceil(kPi / mesh.cell))) {
+      cells_(static_cast<std::size_t>(std::ceil(kPi / mesh.cell))),
+      wantsCoarse_(mesh.coarse) {
   for (int column = 0; column < table.room(); ++column) {
     const auto [sin, cos] = portable::sincos(table.azimuthAt(std::min(column, table.columns())));
     sinPhi_.push_back(sin);
@@ -125,7 +126,8 @@ SheetTotals TiltBands::add(const SheetPoint& point, PixelFilm& film) {
   point_ = point;
   parts_ = table_.partsOf(point.index);
   distribute();
-  for (Rings* rings : {&fine_, &coarse_}) rings->light.assign(rings_ * 3 * cells_, 0.0F);
+  fine_.light.assign(rings_ * 3 * cells_, 0.0F);
+  coarse_.light.assign(wantsCoarse_ ? fine_.light.size() : 0, 0.0F);
   const double thick = 0.5 * kPi / bands_;
   SheetTotals totals;
   for (int band = 0; band < bands_; ++band) {
@@ -168,6 +170,7 @@ SheetTotals TiltBands::add(const SheetPoint& point, PixelFilm& film) {
       const double alpha = band * thick;
       addBand(a, alpha, b, alpha + thick, 1, first, fine_);
       addBand(b, alpha + thick, c, alpha + 2.0 * thick, 1, second, fine_);
+      if (!wantsCoarse_) continue;
       // Both bands together.
       const std::size_t firstCell = first.all <= 0.0    ? second.first
                                     : second.all <= 0.0 ? first.first
@@ -182,7 +185,7 @@ SheetTotals TiltBands::add(const SheetPoint& point, PixelFilm& film) {
     }
   }
   fold(fine_);
-  fold(coarse_);
+  if (wantsCoarse_) fold(coarse_);
   expose(film);
   return totals;
 }
@@ -359,7 +362,7 @@ void TiltBands::expose(PixelFilm& film) const {
         return (1.0 - u) * static_cast<double>(rings.light[at]) + u * static_cast<double>(rings.light[at + 1]);
       };
       fine += weight * between(fine_);
-      coarse += weight * between(coarse_);
+      if (wantsCoarse_) coarse += weight * between(coarse_);
     }
   };
   // How much sky there is at a place of a wide pixel.

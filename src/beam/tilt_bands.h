@@ -43,9 +43,10 @@ class PixelDirections {
 
 /// How finely bands are cut.
 struct BandMesh {
-  double band = 0.0;  // thickness, rad
-  double ring = 0.0;  // of the sky about the sun, rad
-  double cell = 0.0;  // along the rings, rad of azimuth
+  double band = 0.0;   // thickness, rad
+  double ring = 0.0;   // of the sky about the sun, rad
+  double cell = 0.0;   // along the rings, rad of azimuth
+  bool coarse = true;  // the film's fourth sum is wanted
 };
 
 /// All orientations of crystals whose c axes have any distribution of tilts, with all azimuths and rolls alike, and the
@@ -111,6 +112,7 @@ class TiltBands {
   std::vector<Azimuths> azimuths_;  // by band
   std::vector<double> parts_;
   int class_ = 0;
+  bool wantsCoarse_;
   Rings fine_, coarse_;
 };
 
