@@ -58,9 +58,7 @@ OrientationSheet::OrientationSheet(const LightTable& table, const Lens& lens, co
 }
 
 OrientationSheet::Four OrientationSheet::perLight(int step) const {
-  const double w = point_.weight;
-  return step == 1 ? Four{w * point_.xyz[0], w * point_.xyz[1], w * point_.xyz[2], 0.0}
-                   : Four{0.0, 0.0, 0.0, w * point_.xyz[1]};
+  return step == 1 ? Four{point_.xyz[0], point_.xyz[1], point_.xyz[2], 0.0} : Four{0.0, 0.0, 0.0, point_.xyz[1]};
 }
 
 std::array<double, 2> OrientationSheet::anglesAt(double tilt, const Vec3& toSun) {

@@ -17,7 +17,6 @@ struct SheetPoint {
   double index = 1.31;
   double offset = 0.0;  // of the mesh, from 0 to 1 cell
   Tristimulus xyz{};    // of all its light
-  double weight = 1.0;  // of this sheet
 };
 
 /// How finely it is cut up.

@@ -12,9 +12,8 @@ namespace parhelion {
 
 namespace {
 
-// Sheets come in groups, each of which is spread evenly by itself. By how much groups differ, their mean errs. Where
-// a single sheet is all, groups are two meshes of it.
-constexpr int kGroups = 8, kGroupsOfOne = 1;
+// Sheets come in groups, each of which is spread evenly by itself. By how much groups differ, their mean errs.
+constexpr int kGroups = 8;
 // The first mesh: cells for 30 degrees of azimuth, and for 90 of the angle from -c.
 constexpr int kColumns = 40, kRows = 120, kMostLevel = 4, kMostBandLevel = 2;
 constexpr int kMostPoints = 1 << 12;  // a group
@@ -77,9 +76,7 @@ class Integration {
         pixel_(1.0 / camera.focalLength()),
         bands_(!scene.oneTilt && pixel_ > kSmallestPixel),
         single_((scene.oneTilt || bands_) && scene.onePoint && scene.oneColour),
-        groups_(!single_ ? kGroups
-                : bands_ ? 1
-                         : kGroupsOfOne) {
+        groups_(single_ ? 1 : kGroups) {
     if (bands_) directions_ = std::make_unique<PixelDirections>(camera);
   }
 
@@ -98,11 +95,10 @@ class Integration {
         if (level_ == (bands_ ? kMostBandLevel : kMostLevel)) break;
         const int points = std::max(1, points_ / 2);
         // Of a single sheet the last mesh has half as many cells as the next.
-        if (single_)
-          for (std::size_t i = 0; i < result_.xyz.size(); ++i) {
-            previous_.resize(result_.xyz.size());
-            previous_[i] = static_cast<double>(result_.xyz[i][1]);
-          }
+        if (single_) {
+          previous_.clear();
+          for (const auto& xyz : result_.xyz) previous_.push_back(static_cast<double>(xyz[1]));
+        }
         start(level_ + 1);
         extend(points);
       } else {

@@ -371,9 +371,7 @@ void TiltBands::expose(PixelFilm& film) const {
     const auto right = camera.directionAt(at + Vec2(kStep, 0.0)), down = camera.directionAt(at + Vec2(0.0, kStep));
     return right && down ? glm::length(glm::cross(*right - toSky, *down - toSky)) : 0.0;
   };
-  const double w = point_.weight;
-  const Four per{w * point_.xyz[0], w * point_.xyz[1], w * point_.xyz[2], 0.0},
-      perCoarse{0.0, 0.0, 0.0, w * point_.xyz[1]};
+  const Tristimulus& xyz = point_.xyz;
   for (int y = 0; y < camera.height(); ++y)
     for (int x = 0; x < camera.width(); ++x) {
       const std::size_t pixel =
@@ -404,8 +402,7 @@ void TiltBands::expose(PixelFilm& film) const {
         }
       if (!(parts > 0.0)) continue;
       const double share = solidAngle / parts;
-      film.add({x + 0.5, y + 0.5, share * fine}, per);
-      film.add({x + 0.5, y + 0.5, share * coarse}, perCoarse);
+      film.add({x + 0.5, y + 0.5, share}, Four{fine * xyz[0], fine * xyz[1], fine * xyz[2], coarse * xyz[1]});
     }
 }
 

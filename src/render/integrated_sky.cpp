@@ -165,12 +165,13 @@ class Sky {
                                     ? randomSky(population)
                                     : axisSky(population);
       totals.add(sky.totals, weight);
-      for (std::size_t i = 0; i < pixels; ++i) {
-        squares[i] += weight * weight * sky.error[i] * sky.error[i];
-        for (std::size_t c = 0; c < 3; ++c) sum[i][c] += weight * sky.light[i][c];
-        if (!layers.empty())
-          for (std::size_t c = 0; c < 3; ++c) layers[layerOf(population.name)][i][c] += weight * sky.light[i][c];
-      }
+      const auto addTo = [&](std::vector<Tristimulus>& light) {
+        for (std::size_t i = 0; i < pixels; ++i)
+          for (std::size_t c = 0; c < 3; ++c) light[i][c] += weight * sky.light[i][c];
+      };
+      addTo(sum);
+      if (!layers.empty()) addTo(layers[layerOf(population.name)]);
+      for (std::size_t i = 0; i < pixels; ++i) squares[i] += weight * weight * sky.error[i] * sky.error[i];
       result_.directions += sky.directions;
       result_.sheets += sky.sheets;
       result_.reached = result_.reached && sky.reached;

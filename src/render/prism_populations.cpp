@@ -57,9 +57,9 @@ std::vector<IndexColour> linesOf(const Scene& scene) {
   const Spectrum spectrum(scene.sun.spectrum);
   const std::vector<double> fixed = fixedIndices(scene.ice);
   std::vector<IndexColour> lines;
-  for (const SpectralSample& line : spectrum.lines()) {
-    if (fixed.empty()) lines.push_back({refractiveIndex(scene.ice, line.wavelength), colourOf(line)});
-  }
+  if (fixed.empty())
+    for (const SpectralSample& line : spectrum.lines())
+      lines.push_back({refractiveIndex(scene.ice, line.wavelength), colourOf(line)});
   // What meets the same index goes the same ways, whatever its colour.
   const Vec3& white = spectrum.white();
   for (const double index : fixed) lines.push_back({index, {white.x, white.y, white.z}});
@@ -72,14 +72,10 @@ IceLight iceLightOf(const Scene& scene) {
   const Spectrum spectrum(scene.sun.spectrum);
   if (spectrum.lines().empty() && std::holds_alternative<TabulatedIce>(scene.ice))
     return IceLight::continuous(indicesAtShares(spectrum, scene.ice));
-  if (const auto* mixture = std::get_if<IceMixture>(&scene.ice)) {
-    std::vector<IndexShare> all;
-    for (const double index : mixture->indices)
-      all.push_back({index, 1.0 / static_cast<double>(mixture->indices.size())});
-    return IceLight(all);
-  }
-  if (const auto* constant = std::get_if<ConstantIce>(&scene.ice)) return IceLight({{constant->index, 1.0}});
   std::vector<IndexShare> lines;
+  const std::vector<double> fixed = fixedIndices(scene.ice);
+  for (const double index : fixed) lines.push_back({index, 1.0 / static_cast<double>(fixed.size())});
+  if (!fixed.empty()) return IceLight(lines);
   for (const SpectralSample& line : spectrum.lines())
     lines.push_back(
         {refractiveIndex(scene.ice, line.wavelength), line.light / static_cast<double>(spectrum.lines().size())});
