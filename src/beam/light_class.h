@@ -34,6 +34,17 @@ struct LightClass {
     const T in = higher(T(-dot(normal, lightDir)), T{});
     return {reflect(lightDir, normal, in), fresnel(in, index).reflectance, all<T>(1.0)};
   }
+
+  /// The same of light at an angle zeta from -c and at an azimuth phi, by the direction of its part across c (x), what
+  /// is at right angles to that (y), and c (z).
+  template <class T>
+  PARHELION_INLINE ClassExit<T> exitAcross(double sinZeta, double cosZeta, const T& sinPhi, const T& cosPhi,
+                                           const RelativeIndexOf<T>& index) const {
+    ClassExit<T> found = exit(Triple<T>{sinZeta * cosPhi, sinZeta * sinPhi, all<T>(-cosZeta)}, index);
+    const Triple<T> dir = found.lightDir;
+    found.lightDir = {dir.x * cosPhi + dir.y * sinPhi, dir.y * cosPhi - dir.x * sinPhi, dir.z};
+    return found;
+  }
 };
 
 /// Calls f(number, light) for each class with light: what meets its exit, or a face from outside, in the units of

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/portable.h"
 #include "parallel/loops.h"
 
 namespace parhelion {
@@ -34,7 +35,20 @@ LightTable::LightTable(std::vector<PrismShare> prisms, std::vector<double> indic
       rows_(rows),
       room_((columns + 1 + 3) / 4 * 4),
       cutShare_(cutShare),
-      table_(static_cast<std::size_t>(rows) + 1) {}
+      table_(static_cast<std::size_t>(rows) + 1) {
+  for (int column = 0; column < room_; ++column) {
+    const auto [sin, cos] = portable::sincos(azimuthAt(std::min(column, columns_)));
+    sines_.push_back(sin);
+    cosines_.push_back(cos);
+  }
+}
+
+double LightTable::meanOf(const std::vector<double>& columns) const {
+  double sum = 0.0;
+  for (int column = 0; column <= columns_; ++column)
+    sum += (column % columns_ ? 1.0 : 0.5) * columns[static_cast<std::size_t>(column)];
+  return sum / columns_;
+}
 
 void LightTable::prepare(double zeta0, double zeta1) {
   const auto first = between(placeOf(zeta0), rows_).row, last = between(placeOf(zeta1), rows_).row + 1;

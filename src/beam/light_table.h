@@ -31,6 +31,13 @@ class LightTable {
 
   double azimuthAt(int column) const { return kPi / 6.0 * column / columns_; }
 
+  /// Sines and cosines of the columns' azimuths, with room behind the last one.
+  const std::vector<double>& sines() const { return sines_; }
+  const std::vector<double>& cosines() const { return cosines_; }
+
+  /// The mean over the azimuths of what the columns have.
+  double meanOf(const std::vector<double>& columns) const;
+
   /// Where among the rows an angle from -c lies.
   double placeOf(double zeta) const { return zeta * (2.0 / kPi) * rows_; }
 
@@ -70,6 +77,7 @@ class LightTable {
   std::vector<double> indices_;
   int columns_, rows_, room_;
   double cutShare_;
+  std::vector<double> sines_, cosines_;
   std::vector<Row> table_;
   std::vector<int> classes_;
   long directions_ = 0;

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "beam/edge_parts.h"
+#include "beam/sun_frame.h"
 #include "math/portable.h"
 
 namespace parhelion {
@@ -44,11 +46,6 @@ Triple<double> middle(const Triple<double>& a, const Triple<double>& b) {
 OrientationSheet::OrientationSheet(const LightTable& table, const Lens& lens, const SheetMesh& mesh)
     : table_(table), lens_(lens), mesh_(mesh), views_(mesh.folds ? 2 : kViews) {
   const auto room = static_cast<std::size_t>(table.room());
-  for (int column = 0; column < table.room(); ++column) {
-    const auto [sin, cos] = portable::sincos(table.azimuthAt(std::min(column, table.columns())));
-    sinPhi_.push_back(sin);
-    cosPhi_.push_back(cos);
-  }
   for (Nodes& nodes : nodes_) {
     for (auto* row : {&nodes.light, &nodes.density, &nodes.excess, &nodes.along, &nodes.aside, &nodes.up})
       row->resize(room);
@@ -143,10 +140,9 @@ std::vector<OrientationSheet::Run> OrientationSheet::runs() const {
 SheetTotals OrientationSheet::add(const SheetPoint& point, PixelFilm& film) {
   point_ = point;
   parts_ = table_.partsOf(point.index);
-  const double level = std::hypot(point.toSun.x, point.toSun.y);
-  level_ =
-      level > 0.0 ? Triple<double>{point.toSun.x / level, point.toSun.y / level, 0.0} : Triple<double>{1.0, 0.0, 0.0};
-  left_ = {-level_.y, level_.x, 0.0};
+  const SunFrame about(point.toSun);
+  level_ = tripleOf(about.ahead);
+  left_ = tripleOf(about.left);
   SheetTotals totals;
   for (const Run& run : runs()) {
     for (const Frame& frame : run.frames) {
@@ -162,11 +158,7 @@ SheetTotals OrientationSheet::add(const SheetPoint& point, PixelFilm& film) {
       }
       for (const Frame& frame : run.frames) {
         see(frame, number, nodes_[0]);
-        if (nodes_[0].dark) continue;
-        double sum = 0.0;
-        for (int column = 0; column <= table_.columns(); ++column)
-          sum += (column % table_.columns() ? 1.0 : 0.5) * nodes_[0].density[static_cast<std::size_t>(column)];
-        totals.undeviated += frame.weight * sum / table_.columns();
+        if (!nodes_[0].dark) totals.undeviated += frame.weight * table_.meanOf(nodes_[0].density);
       }
     }
   }
@@ -184,19 +176,17 @@ PARHELION_ALSO_AVX2 void OrientationSheet::see(const Frame& frame, int number, N
   const Triple<Four> across = spread(frame.across), beside = spread(frame.beside), c = spread(frame.c),
                      left = spread(left_);
   for (std::size_t k = 0; k < nodes.light.size(); k += 4) {
-    const Four sinPhi = load<Four>(&sinPhi_[k]), cosPhi = load<Four>(&cosPhi_[k]);
-    const Triple<Four> s{frame.sinZeta * cosPhi, frame.sinZeta * sinPhi, all<Four>(-frame.cosZeta)};
     const Four light = higher(load<Four>(&nodes.light[k]), Four{});
-    const ClassExit<Four> exit = of.exit(s, index);
-    const Four along = exit.lightDir.x * cosPhi + exit.lightDir.y * sinPhi,
-               aside = exit.lightDir.y * cosPhi - exit.lightDir.x * sinPhi;
+    const ClassExit<Four> exit = of.exitAcross(frame.sinZeta, frame.cosZeta, load<Four>(&table_.sines()[k]),
+                                               load<Four>(&table_.cosines()[k]), index);
+    const auto& [along, aside, up] = exit.lightDir;
     store(&nodes.light[k], light);
     store(&nodes.density[k], Four(light * exit.transmittance));
     store(&nodes.excess[k], exit.excess);
     store(&nodes.along[k], along);
     store(&nodes.aside[k], aside);
-    store(&nodes.up[k], exit.lightDir.z);
-    const Triple<Four> common = along * across + exit.lightDir.z * c, by = aside * beside;
+    store(&nodes.up[k], up);
+    const Triple<Four> common = along * across + up * c, by = aside * beside;
     for (int view = 0; view < views_; ++view) {
       Triple<Four> toSky = view & 1 ? by - common : -(common + by);
       if (view & 2) toSky = toSky - Four(2.0 * dot(left, toSky)) * left;
@@ -247,17 +237,12 @@ OrientationSheet::Corner OrientationSheet::cornerOf(const Frame& frame, const No
 OrientationSheet::Corner OrientationSheet::exitAt(Corner corner, int view) const {
   const Frame frame = frameAt(corner.azimuth, upper_);
   const auto [sin, cos] = portable::sincos(corner.phi);
-  const Triple<double> s{frame.sinZeta * cos, frame.sinZeta * sin, -frame.cosZeta};
-  const ClassExit<double> exit = LightClass(class_).exit(s, RelativeIndexOf<double>(point_.index));
+  const ClassExit<double> exit =
+      LightClass(class_).exitAcross(frame.sinZeta, frame.cosZeta, sin, cos, RelativeIndexOf<double>(point_.index));
   corner.density = corner.light * exit.transmittance;
   corner.excess = exit.excess;
-  corner.lightDir = inView(view, frame, exit.lightDir.x * cos + exit.lightDir.y * sin,
-                           exit.lightDir.y * cos - exit.lightDir.x * sin, exit.lightDir.z);
+  corner.lightDir = inView(view, frame, exit.lightDir.x, exit.lightDir.y, exit.lightDir.z);
   return corner;
-}
-
-OrientationSheet::Corner OrientationSheet::between(const Corner& a, const Corner& b, int view) const {
-  return exitAt({0.5 * (a.azimuth + b.azimuth), 0.5 * (a.phi + b.phi), 0.5 * (a.light + b.light), 0.0, 0.0, {}}, view);
 }
 
 void OrientationSheet::addRow(const Frame& a, const Nodes& na, const Frame& b, const Nodes& nb, int step,
@@ -295,8 +280,17 @@ void OrientationSheet::addRow(const Frame& a, const Nodes& na, const Frame& b, c
       const Corner c[4] = {cornerOf(a, na, column, view), cornerOf(a, na, column + step, view),
                            cornerOf(b, nb, column, view), cornerOf(b, nb, column + step, view)};
       const int depth = step == 1 ? kEdgeDepth : kEdgeDepth + 1;
-      addEdge(c[0], c[1], c[2], 0.5 * share, view, depth, per, film);
-      addEdge(c[1], c[3], c[2], 0.5 * share, view, depth, per, film);
+      const auto between = [&](const Corner& p, const Corner& q) {
+        return exitAt({0.5 * (p.azimuth + q.azimuth), 0.5 * (p.phi + q.phi), 0.5 * (p.light + q.light), 0.0, 0.0, {}},
+                      view);
+      };
+      const auto add = [&](const Corner& p, const Corner& q, const Corner& r, double part) {
+        if (p.light + q.light + r.light == 0.0) return;
+        addSky({-p.lightDir, part * p.density}, {-q.lightDir, part * q.density}, {-r.lightDir, part * r.density},
+               kTornDepth, per, film);
+      };
+      addParts(c[0], c[1], c[2], 0.5 * share, depth, between, add);
+      addParts(c[1], c[3], c[2], 0.5 * share, depth, between, add);
     }
   }
 }
@@ -311,19 +305,6 @@ bool OrientationSheet::addNodes(const Nodes& na, const Nodes& nb, std::size_t k,
     if (!nodes->dark && nodes->excess[node] > 0.0 && nodes->seen[view][node] > 0.0)
       film.add({nodes->x[view][node], nodes->y[view][node], 0.25 * share * nodes->density[node]}, per);
   return true;
-}
-
-void OrientationSheet::addEdge(const Corner& a, const Corner& b, const Corner& c, double share, int view, int depth,
-                               const Four& per, PixelFilm& film) const {
-  if (std::max({a.excess, b.excess, c.excess}) <= 0.0 || a.light + b.light + c.light == 0.0) return;
-  if (std::min({a.excess, b.excess, c.excess}) > 0.0 || depth == 0)
-    return addSky({-a.lightDir, share * a.density}, {-b.lightDir, share * b.density}, {-c.lightDir, share * c.density},
-                  kTornDepth, per, film);
-  const Corner ab = between(a, b, view), bc = between(b, c, view), ca = between(c, a, view);
-  addEdge(a, ab, ca, 0.25 * share, view, depth - 1, per, film);
-  addEdge(ab, b, bc, 0.25 * share, view, depth - 1, per, film);
-  addEdge(ca, bc, c, 0.25 * share, view, depth - 1, per, film);
-  addEdge(ab, bc, ca, 0.25 * share, view, depth - 1, per, film);
 }
 
 void OrientationSheet::addSky(const SkyLight& a, const SkyLight& b, const SkyLight& c, int depth, const Four& per,

@@ -97,15 +97,12 @@ class OrientationSheet {
   bool addNodes(const Nodes& na, const Nodes& nb, std::size_t k, std::size_t l, std::size_t view, double share,
                 const Four& per, PixelFilm& film) const;
   void addLines(const Frame& frame, const Nodes& nodes, int step, PixelFilm& film) const;
-  void addEdge(const Corner& a, const Corner& b, const Corner& c, double share, int view, int depth, const Four& per,
-               PixelFilm& film) const;
   void addSky(const SkyLight& a, const SkyLight& b, const SkyLight& c, int depth, const Four& per,
               PixelFilm& film) const;
   /// The part of a triangle within the image circle and above a horizon that is cut.
   void addSeen(const SkyLight* const (&all)[3], const LitPlace (&at)[3], const Four& per, PixelFilm& film) const;
   Corner cornerOf(const Frame& frame, const Nodes& nodes, int column, int view) const;
   Corner exitAt(Corner corner, int view) const;
-  Corner between(const Corner& a, const Corner& b, int view) const;
   Triple<double> inView(int view, const Frame& frame, double along, double aside, double up) const;
   PARHELION_INLINE Four perLight(int step) const;
 
@@ -113,7 +110,6 @@ class OrientationSheet {
   Lens lens_;
   SheetMesh mesh_;
   int views_;
-  std::vector<double> sinPhi_, cosPhi_;
   // Of the sheet and the class that are being added.
   SheetPoint point_;
   Triple<double> level_, left_;  // horizontal: the sun's azimuth, and across it

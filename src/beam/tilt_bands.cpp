@@ -6,6 +6,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "beam/edge_parts.h"
+#include "beam/sun_frame.h"
 #include "beam/triangle_steps.h"
 #include "math/portable.h"
 
@@ -53,13 +55,7 @@ TiltBands::TiltBands(const LightTable& table, const PixelDirections& directions,
       bands_(2 * std::max(1, static_cast<int>(std::ceil(0.25 * kPi / mesh.band)))),
       rings_(static_cast<std::size_t>(std::ceil(kPi / mesh.ring))),
       cells_(static_cast<std::size_t>(std::ceil(kPi / mesh.cell))),
-      wantsCoarse_(mesh.coarse) {
-  for (int column = 0; column < table.room(); ++column) {
-    const auto [sin, cos] = portable::sincos(table.azimuthAt(std::min(column, table.columns())));
-    sinPhi_.push_back(sin);
-    cosPhi_.push_back(cos);
-  }
-}
+      wantsCoarse_(mesh.coarse) {}
 
 void TiltBands::distribute() {
   if (distributedFor_ == point_.toSun) return;
@@ -67,10 +63,7 @@ void TiltBands::distribute() {
   // c by its angle from the sun, up to half a turn, and its azimuth about the sun from the zenith's.
   PixelFilm film(static_cast<int>(cells_), 2 * bands_);
   const Vec3 sun = point_.toSun;
-  const double level = std::hypot(sun.x, sun.y);
-  const Vec3 ahead = level > 0.0 ? Vec3(sun.x / level, sun.y / level, 0.0) : Vec3(1.0, 0.0, 0.0);
-  const Vec3 left(-ahead.y, ahead.x, 0.0);
-  const Vec3 up = sun.z * -ahead + Vec3(0.0, 0.0, level);  // across the sun, toward the zenith
+  const auto [ahead, left, up] = SunFrame(sun);
   const auto placeOf = [&](double tilt, double azimuth) {
     const auto [sinTilt, cosTilt] = portable::sincos(tilt);
     const auto [sin, cos] = portable::sincos(azimuth);
@@ -158,12 +151,7 @@ SheetTotals TiltBands::add(const SheetPoint& point, PixelFilm& film) {
       const Row &a = rowAt(band), &b = rowAt(band + 1), &c = rowAt(band + 2);
       if (a.dark && b.dark && c.dark) continue;
       if (undeviated) {
-        const auto mean = [&](const Row& row) {
-          double sum = 0.0;
-          for (int column = 0; !row.dark && column <= table_.columns(); ++column)
-            sum += (column % table_.columns() ? 1.0 : 0.5) * row.density[static_cast<std::size_t>(column)];
-          return sum / table_.columns();
-        };
+        const auto mean = [&](const Row& row) { return row.dark ? 0.0 : table_.meanOf(row.density); };
         totals.undeviated += 0.5 * (first.all * (mean(a) + mean(b)) + second.all * (mean(b) + mean(c)));
         continue;
       }
@@ -200,14 +188,12 @@ PARHELION_ALSO_AVX2 void TiltBands::see(double alpha, int number, Row& row) {
   const auto [sin, cos] = portable::sincos(alpha);
   const double ringsPerAngle = static_cast<double>(rings_) / kPi, cellsPerAngle = static_cast<double>(cells_) / kPi;
   for (std::size_t k = 0; k < room; k += 4) {
-    const Four sinPhi = load<Four>(&sinPhi_[k]), cosPhi = load<Four>(&cosPhi_[k]);
-    const Triple<Four> s{sin * cosPhi, sin * sinPhi, all<Four>(-cos)};
     const Four light = higher(load<Four>(&row.light[k]), Four{});
-    const ClassExit<Four> exit = of.exit(s, index);
-    const Four along = exit.lightDir.x * cosPhi + exit.lightDir.y * sinPhi,
-               aside = exit.lightDir.y * cosPhi - exit.lightDir.x * sinPhi;
+    const ClassExit<Four> exit =
+        of.exitAcross(sin, cos, load<Four>(&table_.sines()[k]), load<Four>(&table_.cosines()[k]), index);
+    const auto& [along, aside, upward] = exit.lightDir;
     // Toward the sky, by the direction of the sun, that of c across it, and what is at right angles to both.
-    const Four onto = sin * along - cos * exit.lightDir.z, toward = -(cos * along + sin * exit.lightDir.z);
+    const Four onto = sin * along - cos * upward, toward = -(cos * along + sin * upward);
     const Four beside = higher(aside, Four(-aside));
     store(&row.light[k], light);
     store(&row.density[k], Four(light * exit.transmittance));
@@ -220,11 +206,10 @@ PARHELION_ALSO_AVX2 void TiltBands::see(double alpha, int number, Row& row) {
 TiltBands::Corner TiltBands::exitAt(Corner corner) const {
   const auto [sin, cos] = portable::sincos(corner.alpha);
   const auto [sinPhi, cosPhi] = portable::sincos(corner.phi);
-  const Triple<double> s{sin * cosPhi, sin * sinPhi, -cos};
-  const ClassExit<double> exit = LightClass(class_).exit(s, RelativeIndexOf<double>(point_.index));
-  const double along = exit.lightDir.x * cosPhi + exit.lightDir.y * sinPhi,
-               aside = exit.lightDir.y * cosPhi - exit.lightDir.x * sinPhi;
-  const double onto = sin * along - cos * exit.lightDir.z, toward = -(cos * along + sin * exit.lightDir.z);
+  const ClassExit<double> exit =
+      LightClass(class_).exitAcross(sin, cos, sinPhi, cosPhi, RelativeIndexOf<double>(point_.index));
+  const auto& [along, aside, upward] = exit.lightDir;
+  const double onto = sin * along - cos * upward, toward = -(cos * along + sin * upward);
   corner.density = corner.light * exit.transmittance;
   corner.excess = exit.excess;
   corner.place = static_cast<double>(rings_) / kPi * portable::atan2(std::hypot(toward, aside), onto);
@@ -242,6 +227,12 @@ void TiltBands::addBand(const Row& a, double alphaA, const Row& b, double alphaB
     if (row.dark) return exitAt({alpha, phi, 0.0, 0.0, 0.0, 0.0, 0.0});
     return Corner{alpha, phi, row.light[k], row.density[k], row.excess[k], row.place[k], row.turn[k]};
   };
+  const auto between = [&](const Corner& p, const Corner& q) {
+    return exitAt({0.5 * (p.alpha + q.alpha), 0.5 * (p.phi + q.phi), 0.5 * (p.light + q.light), 0.0, 0.0, 0.0, 0.0});
+  };
+  const auto add = [&](const Corner& p, const Corner& q, const Corner& r, double part) {
+    addTriangle(p, q, r, part, azimuths, rings);
+  };
   for (int column = 0; column < table_.columns(); column += step) {
     const auto k = static_cast<std::size_t>(column), l = k + static_cast<std::size_t>(step);
     const auto lit = [&](const Row& row) { return row.dark ? 0.0 : row.light[k] + row.light[l]; };
@@ -249,23 +240,9 @@ void TiltBands::addBand(const Row& a, double alphaA, const Row& b, double alphaB
     const Corner ca = corner(a, alphaA, column), cb = corner(a, alphaA, column + step), cc = corner(b, alphaB, column),
                  cd = corner(b, alphaB, column + step);
     const int depth = step == 1 ? kEdgeDepth : kEdgeDepth + 1;
-    addEdge(ca, cb, cc, share, depth, azimuths, rings);
-    addEdge(cb, cd, cc, share, depth, azimuths, rings);
+    addParts(ca, cb, cc, share, depth, between, add);
+    addParts(cb, cd, cc, share, depth, between, add);
   }
-}
-
-void TiltBands::addEdge(const Corner& a, const Corner& b, const Corner& c, double share, int depth,
-                        const Azimuths& azimuths, Rings& rings) {
-  if (std::max({a.excess, b.excess, c.excess}) <= 0.0) return;
-  if (std::min({a.excess, b.excess, c.excess}) > 0.0 || depth == 0) return addTriangle(a, b, c, share, azimuths, rings);
-  const auto between = [&](const Corner& p, const Corner& q) {
-    return exitAt({0.5 * (p.alpha + q.alpha), 0.5 * (p.phi + q.phi), 0.5 * (p.light + q.light), 0.0, 0.0, 0.0, 0.0});
-  };
-  const Corner ab = between(a, b), bc = between(b, c), ca = between(c, a);
-  addEdge(a, ab, ca, 0.25 * share, depth - 1, azimuths, rings);
-  addEdge(ab, b, bc, 0.25 * share, depth - 1, azimuths, rings);
-  addEdge(ca, bc, c, 0.25 * share, depth - 1, azimuths, rings);
-  addEdge(ab, bc, ca, 0.25 * share, depth - 1, azimuths, rings);
 }
 
 void TiltBands::addTriangle(const Corner& a, const Corner& b, const Corner& c, double share, const Azimuths& azimuths,
@@ -337,9 +314,7 @@ void TiltBands::fold(Rings& rings) const {
 void TiltBands::expose(PixelFilm& film) const {
   const Camera& camera = directions_.camera();
   const Vec3 sun = point_.toSun;
-  const double level = std::hypot(sun.x, sun.y);
-  const Vec3 ahead = level > 0.0 ? Vec3(sun.x / level, sun.y / level, 0.0) : Vec3(1.0, 0.0, 0.0);
-  const Vec3 left(-ahead.y, ahead.x, 0.0), up = sun.z * -ahead + Vec3(0.0, 0.0, level);
+  const SunFrame about(sun);
   const double ringAngle = kPi / static_cast<double>(rings_), cellAngle = kPi / static_cast<double>(cells_);
   std::vector<double> perSolidAngle;
   for (std::size_t ring = 0; ring < rings_; ++ring) {
@@ -348,7 +323,8 @@ void TiltBands::expose(PixelFilm& film) const {
   }
   // Light to solid angle between the middles of cells.
   const auto lookUp = [&](const Vec3& toSky, double part, double& fine, double& coarse) {
-    const double onto = glm::dot(toSky, sun), toward = glm::dot(toSky, up), beside = std::abs(glm::dot(toSky, left));
+    const double onto = glm::dot(toSky, sun), toward = glm::dot(toSky, about.up),
+                 beside = std::abs(glm::dot(toSky, about.left));
     const double theta = arctangent(std::sqrt(toward * toward + beside * beside), onto),
                  turn = arctangent(beside, toward);
     const double y = std::clamp(theta / ringAngle - 0.5, 0.0, static_cast<double>(rings_) - 1.001),

@@ -91,8 +91,6 @@ class TiltBands {
   void see(double alpha, int number, Row& row);
   void addBand(const Row& a, double alphaA, const Row& b, double alphaB, int step, const Azimuths& azimuths,
                Rings& rings);
-  void addEdge(const Corner& a, const Corner& b, const Corner& c, double share, int depth, const Azimuths& azimuths,
-               Rings& rings);
   void addTriangle(const Corner& a, const Corner& b, const Corner& c, double share, const Azimuths& azimuths,
                    Rings& rings);
   void addTurned(std::size_t ring, double light, double turn, double width, const Azimuths& azimuths, Rings& rings);
@@ -106,7 +104,6 @@ class TiltBands {
   int bands_;          // over a quarter turn
   std::size_t rings_;  // over half a turn
   std::size_t cells_;  // over half a turn
-  std::vector<double> sinPhi_, cosPhi_;
   SheetPoint point_;
   Vec3 distributedFor_{0.0};
   std::vector<Azimuths> azimuths_;  // by band
