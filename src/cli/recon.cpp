@@ -42,15 +42,15 @@ struct ReconOptions {
   bool json = false, quiet = false, overwrite = false;
 
   LoadedScene load(const SkyTally& traced) const {
-    std::vector<std::string> all;
+    std::vector<SceneOverride> all;
     const auto namesMethod = [](const std::string& o) {
       return o.starts_with("recon.method") || o.starts_with("recon=");
     };
     if (!method.empty() && std::any_of(overrides.begin(), overrides.end(), namesMethod))
       throw CLI::ValidationError("--method", "-D says another method");
     // The settings of the scene's own method are none of another's.
-    if (!method.empty()) all.push_back("recon={method='" + method + "'}");
-    all.insert(all.end(), overrides.begin(), overrides.end());
+    if (!method.empty()) all.push_back(overrideOf("--method", method, "recon", "{method='" + method + "'}"));
+    for (SceneOverride& one : overridesOf(overrides)) all.push_back(std::move(one));
     return parseScene(traced.info().scene, "the scene in " + tallies.front(), all);
   }
 };

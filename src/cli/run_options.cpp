@@ -35,36 +35,6 @@ std::string choices() {
   return all;
 }
 
-/// Any text as a string of TOML, literal where that can be.
-std::string tomlString(const std::string& text) {
-  if (text.find('\'') == std::string::npos) return '\'' + text + '\'';
-  std::string quoted;
-  for (const char c : text) quoted += c == '"' || c == '\\' ? std::string("\\") + c : std::string(1, c);
-  return '"' + quoted + '"';
-}
-
-/// The complaints about an override that stands for an option, in the words of who typed the option.
-SceneError asOption(const SceneError& error, const std::string& override, const std::string& option,
-                    const std::string& text) {
-  std::vector<Diagnostic> all = error.diagnostics();
-  for (Diagnostic& one : all) {
-    if (one.file != "-D " + override) continue;
-    one.file = option + " '" + text + "'";
-    const std::string key = override.substr(0, override.find('=')), margin = "    1 | ";
-    const std::string before = override.substr(0, key.size() + 2);  // trace.filter='
-    const std::string last = "'" + key.substr(key.find('.') + 1) + "': ";
-    if (one.message.starts_with(last)) one.message.erase(0, last.size());
-    const int shift = static_cast<int>(before.size());
-    one.column = std::max(1, one.column - shift);
-    if (!one.excerpt.starts_with(margin + before)) continue;
-    const std::size_t caret = one.excerpt.find('^');
-    const auto marks = std::min(one.excerpt.find_last_of("^~") - caret + 1, text.size());
-    one.excerpt = margin + text + '\n' + std::string(margin.size() - 2, ' ') + "| " +
-                  std::string(static_cast<std::size_t>(one.column - 1), ' ') + '^' + std::string(marks - 1, '~') + '\n';
-  }
-  return SceneError(std::move(all));
-}
-
 /// Complains unless `text` is WIDTHxHEIGHT.
 std::string validResolution(const std::string& text) {
   const std::size_t x = text.find('x');
@@ -153,36 +123,30 @@ void RunOptions::addTracingTo(CLI::App& command, bool hasImage) {
 }
 
 LoadedScene RunOptions::load(const std::vector<std::string>& more) const {
-  std::vector<std::string> all = overrides;
-  if (!rays.empty()) all.push_back("trace.rays=" + std::to_string(parseRayCount(rays)));
-  if (!seed.empty()) all.push_back("trace.seed=" + seed);
-  if (!engine.empty()) all.push_back("trace.engine='" + engine + "'");
-  if (!sampler.empty()) all.push_back("trace.sampler='" + sampler + "'");
-  if (!symmetry.empty()) all.push_back("trace.symmetry='" + symmetry + "'");
-  if (!filter.empty()) all.push_back("trace.filter=" + tomlString(filter));
+  std::vector<SceneOverride> all = overridesOf(overrides);
+  const auto add = [&](const char* option, const std::string& word, const char* key) {
+    if (!word.empty()) all.push_back(overrideOf(option, word, key));
+  };
+  if (!rays.empty()) all.push_back(overrideOf("--rays", rays, "trace.rays", std::to_string(parseRayCount(rays))));
+  if (!seed.empty()) all.push_back(overrideOf("--seed", seed, "trace.seed", seed));
+  add("--engine", engine, "trace.engine");
+  add("--sampler", sampler, "trace.sampler");
+  add("--symmetry", symmetry, "trace.symmetry");
+  add("--paths", filter, "trace.filter");
   if (!resolution.empty()) {
     std::string size = resolution;
     size.replace(size.find('x'), 1, ",");
-    all.push_back("camera.resolution=[" + size + "]");
+    all.push_back(overrideOf("--resolution", resolution, "camera.resolution", "[" + size + "]"));
   }
-  if (noGround) all.emplace_back("camera.horizon='cut'");
-  all.insert(all.end(), more.begin(), more.end());
+  if (noGround) all.push_back(overrideOf("--no-ground", "", "camera.horizon", "'cut'"));
+  for (SceneOverride& one : overridesOf(more)) all.push_back(std::move(one));
   if (!sceneText_) sceneText_ = sceneTextOf(scene);
-  LoadedScene loaded = parsedScene(all);
+  LoadedScene loaded = parseSceneOf(scene, *sceneText_, all);
   if (loaded.scene.trace.engine == Engine::integral && !mayIntegrate)
     throw Unfit(
         "engine integral: it makes pictures (render) and profiles; all else takes rays, with another engine, such as "
         "auto");
   return loaded;
-}
-
-LoadedScene RunOptions::parsedScene(const std::vector<std::string>& all) const {
-  try {
-    return parseSceneOf(scene, *sceneText_, all);
-  } catch (const SceneError& error) {
-    if (filter.empty()) throw;
-    throw asOption(error, "trace.filter=" + tomlString(filter), "--paths", filter);
-  }
 }
 
 }  // namespace parhelion::cli

@@ -42,9 +42,6 @@ struct RunOptions {
   LoadedScene load(const std::vector<std::string>& more = {}) const;
 
  private:
-  /// The scene with these overrides; what is wrong with --paths is told of that.
-  LoadedScene parsedScene(const std::vector<std::string>& overrides) const;
-
   mutable std::optional<std::string> sceneText_;  // read once: a pipe gives it only once
 };
 

@@ -21,12 +21,12 @@ std::string sceneTextOf(const std::string& name) {
   return text;
 }
 
-LoadedScene parseSceneOf(const std::string& name, const std::string& text, std::span<const std::string> overrides) {
+LoadedScene parseSceneOf(const std::string& name, const std::string& text, std::span<const SceneOverride> overrides) {
   return parseScene(text, shownName(name), overrides);
 }
 
 LoadedScene loadSceneOf(const std::string& name, std::span<const std::string> overrides) {
-  return parseSceneOf(name, sceneTextOf(name), overrides);
+  return parseSceneOf(name, sceneTextOf(name), overridesOf({overrides.begin(), overrides.end()}));
 }
 
 }  // namespace parhelion::cli

@@ -13,7 +13,8 @@ namespace parhelion::cli {
 std::string sceneTextOf(const std::string& name);
 
 /// The scene of that text, which sceneTextOf() has read from `name`. Throws SceneError.
-LoadedScene parseSceneOf(const std::string& name, const std::string& text, std::span<const std::string> overrides = {});
+LoadedScene parseSceneOf(const std::string& name, const std::string& text,
+                         std::span<const SceneOverride> overrides = {});
 
 /// Both at once.
 LoadedScene loadSceneOf(const std::string& name, std::span<const std::string> overrides = {});

@@ -42,13 +42,16 @@ std::size_t Complaints::addText(std::string_view name, std::string_view text) {
   return texts_.size() - 1;
 }
 
+void Complaints::addOverride(const SceneOverride& override) {
+  texts_.push_back({override.name(), splitLines(override.text), override});
+}
+
 std::size_t Complaints::textNamed(std::string_view name) const {
   const auto found = std::find_if(texts_.rbegin(), texts_.rend(), [&](const Text& t) { return t.name == name; });
   return found == texts_.rend() ? 0 : static_cast<std::size_t>(texts_.rend() - found) - 1;
 }
 
-std::string Complaints::excerpt(const Place& place) const {
-  const std::vector<std::string>& lines = texts_[place.text].lines;
+std::string Complaints::excerpt(const Place& place, const std::vector<std::string>& lines) const {
   if (place.line < 1 || place.line > static_cast<int>(lines.size())) return "";
   const std::string& line = lines[static_cast<std::size_t>(place.line - 1)];
   const int length = static_cast<int>(countCodePoints(line));
@@ -69,14 +72,30 @@ std::string Complaints::excerpt(const Place& place) const {
   return margin + shown + '\n' + blank + "| " + caret + '\n';
 }
 
+Complaints::Words Complaints::wordsFor(const Place& place, std::string_view message) const {
+  const Text& text = texts_[place.text];
+  const SceneOverride& override = text.override;
+  if (override.option.empty()) return {place, message, text.lines};
+  const std::string_view key = std::string_view(override.text).substr(0, override.text.find('='));
+  const std::string named = "'" + std::string(key.substr(key.find_last_of('.') + 1)) + "': ";
+  if (message.starts_with(named)) message.remove_prefix(named.size());
+  if (override.word.empty()) return {{place.text}, message, {}};
+  const int before = static_cast<int>(countCodePoints(override.text.substr(0, override.wordAt())));
+  Place shown = place;
+  shown.column = std::max(1, place.column - before);
+  shown.endColumn = std::max(shown.column + 1, place.endColumn - before);
+  return {shown, message, {override.word}};
+}
+
 void Complaints::add(const Place& place, std::string_view message, std::string_view hint) {
+  const Words words = wordsFor(place, message);
   Diagnostic d;
   d.file = printable(texts_[place.text].name, kMaxMessage);
-  d.line = place.line;
-  d.column = place.column;
-  d.message = printable(message, kMaxMessage);
+  d.line = words.place.line;
+  d.column = words.place.column;
+  d.message = printable(words.message, kMaxMessage);
   d.hint = printable(hint, kMaxMessage);
-  if (complaints_.size() < kMaxExcerpts) d.excerpt = excerpt(place);
+  if (complaints_.size() < kMaxExcerpts) d.excerpt = excerpt(words.place, words.lines);
   complaints_.push_back({place, std::move(d)});
 }
 

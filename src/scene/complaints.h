@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "scene/scene_error.h"
+#include "scene/scene_override.h"
 
 namespace parhelion {
 
@@ -25,6 +26,10 @@ class Complaints {
   /// A text that places refer to: the scene file or an override. Returns its number; errors sort in this order.
   std::size_t addText(std::string_view name, std::string_view text);
 
+  /// The same for an override, by its name. Of one that an option stands for, complaints show the user's word, in which
+  /// they count columns, and do not name the key.
+  void addOverride(const SceneOverride& override);
+
   /// The number of the text last added under this name.
   std::size_t textNamed(std::string_view name) const;
 
@@ -41,13 +46,23 @@ class Complaints {
   struct Text {
     std::string name;
     std::vector<std::string> lines;
+    SceneOverride override = {};
   };
   struct Complaint {
     Place place;
     Diagnostic diagnostic;
   };
 
-  std::string excerpt(const Place& place) const;
+  /// What a complaint shows.
+  struct Words {
+    Place place;
+    std::string_view message;
+    std::vector<std::string> lines;
+  };
+
+  std::string excerpt(const Place& place, const std::vector<std::string>& lines) const;
+  /// A complaint about an override is told in the words of who typed the option that stands for it.
+  Words wordsFor(const Place& place, std::string_view message) const;
 
   std::vector<Text> texts_;
   std::vector<Complaint> complaints_;

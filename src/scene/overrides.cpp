@@ -34,9 +34,9 @@ std::string untabbed(std::string text) {
 /// Applies one override; keeps what is needed to say where something is wrong.
 class Override {
  public:
-  Override(const std::string& text, Complaints& complaints)
-      : text_(text), complaints_(complaints), path_(std::make_shared<const std::string>("-D " + text)) {
-    complaints_.addText(*path_, text);
+  Override(const SceneOverride& override, Complaints& complaints)
+      : text_(override.text), complaints_(complaints), path_(std::make_shared<const std::string>(override.name())) {
+    complaints_.addOverride(override);
   }
 
   void applyTo(toml::table& scene) {
@@ -185,7 +185,7 @@ class Override {
 
 }  // namespace
 
-void applyOverride(toml::table& scene, const std::string& override, Complaints& complaints) {
+void applyOverride(toml::table& scene, const SceneOverride& override, Complaints& complaints) {
   Override(override, complaints).applyTo(scene);
 }
 

@@ -3,15 +3,14 @@
 
 #include <toml++/toml.h>
 
-#include <string>
-
 #include "scene/complaints.h"
+#include "scene/scene_override.h"
 
 namespace parhelion {
 
-/// Applies "key.path=value" to the scene. A number in the path picks an element of a list, counting from 0; a
+/// Applies an override to the scene. A number in the path picks an element of a list, counting from 0; a
 /// population can be picked by its name too. "key.path=" takes the key out of the scene. What cannot be applied is
 /// complained about.
-void applyOverride(toml::table& scene, const std::string& override, Complaints& complaints);
+void applyOverride(toml::table& scene, const SceneOverride& override, Complaints& complaints);
 
 }  // namespace parhelion

@@ -100,6 +100,10 @@ LoadedScene loadScene(const std::filesystem::path& path, std::span<const std::st
 }
 
 LoadedScene parseScene(std::string_view text, std::string_view fileName, std::span<const std::string> overrides) {
+  return parseScene(text, fileName, overridesOf({overrides.begin(), overrides.end()}));
+}
+
+LoadedScene parseScene(std::string_view text, std::string_view fileName, std::span<const SceneOverride> overrides) {
   if (text.size() > kMostSceneBytes) throwFileError(fileName, "larger than 1 MiB: this is no scene file");
   const bool hasMark = text.starts_with(kByteOrderMark);
   const std::string_view body = text.substr(hasMark ? kByteOrderMark.size() : 0);
@@ -107,7 +111,7 @@ LoadedScene parseScene(std::string_view text, std::string_view fileName, std::sp
   Complaints complaints;
   complaints.addText(fileName, body);
   toml::table root = parseToml(body, fileName, complaints);
-  for (const std::string& override : overrides) applyOverride(root, override, complaints);
+  for (const SceneOverride& override : overrides) applyOverride(root, override, complaints);
   const Scene scene = readScene(root, complaints);
   complaints.throwIfAny();
   return {scene, overrides.empty() ? std::string(text) : serialised(root)};

@@ -9,6 +9,7 @@
 
 #include "scene/scene.h"
 #include "scene/scene_error.h"
+#include "scene/scene_override.h"
 
 namespace parhelion {
 
@@ -29,6 +30,7 @@ LoadedScene loadScene(const std::filesystem::path& path, std::span<const std::st
 
 /// The same for TOML in memory; `fileName` is what errors call it. UTF-8, with or without a byte order mark.
 LoadedScene parseScene(std::string_view text, std::string_view fileName, std::span<const std::string> overrides = {});
+LoadedScene parseScene(std::string_view text, std::string_view fileName, std::span<const SceneOverride> overrides);
 
 /// A number of rays as users write it: "100000", "10M", "1.5k", "2e6"; suffixes k, M, G and T.
 /// Throws std::invalid_argument with what was expected unless it is a whole number from 1 to kMaxRays.

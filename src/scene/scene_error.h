@@ -9,7 +9,7 @@ namespace parhelion {
 
 /// One thing wrong with a scene.
 struct Diagnostic {
-  std::string file;     // the scene file, or "-D key=value" for an override
+  std::string file;     // the scene file, or "-D key=value", "--paths '3-5'" for an override
   int line = 0;         // from 1; 0 where the complaint is about the file as a whole
   int column = 0;       // from 1, in Unicode code points, a tab counting as one
   std::string message;  // what is wrong

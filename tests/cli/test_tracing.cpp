@@ -172,7 +172,7 @@ TEST_CASE("a symmetry that the crystals do not have is one clear error, where it
       {"parhelion trace asks.toml -o t.exr", "asks.toml:8:12: error:", "'plates' is not in random orientation"},
       {"parhelion check asks.toml", "asks.toml:8:12: error:", "'plates' is not in random orientation"},
       {"parhelion render plates.toml --symmetry radial",
-       "-D trace.symmetry='radial':1:16: error:", "'plates' is not in random orientation"},
+       "--symmetry 'radial':1:1: error:", "'plates' is not in random orientation"},
       {"parhelion render turned.toml -D trace.symmetry=mirror",
        "-D trace.symmetry=mirror:1:16: error:", "'turned' is not its own mirror image in the sun's vertical plane"},
   };

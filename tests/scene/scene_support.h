@@ -70,13 +70,16 @@ inline PopulationSettings populationWith(const std::string& keys) {
 }
 
 /// What is wrong with a scene; empty where nothing is.
-inline std::vector<Diagnostic> errorsOf(std::string_view text, const std::vector<std::string>& overrides = {}) {
+inline std::vector<Diagnostic> errorsWith(std::string_view text, const std::vector<SceneOverride>& overrides) {
   try {
     parseScene(text, "x.toml", overrides);
   } catch (const SceneError& e) {
     return e.diagnostics();
   }
   return {};
+}
+inline std::vector<Diagnostic> errorsOf(std::string_view text, const std::vector<std::string>& overrides = {}) {
+  return errorsWith(text, overridesOf(overrides));
 }
 
 /// "line:column message" of each error, the form in which tests state them.

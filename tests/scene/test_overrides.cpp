@@ -70,6 +70,41 @@ TEST_CASE("an error in an override points into the override") {
   CHECK(errors[0].excerpt == "    1 | sun.elevation = 250\n      |                 ^~~\n");
 }
 
+TEST_CASE("an error in an option that stands for a key is told in the words of who typed it") {
+  struct Case {
+    SceneOverride override;
+    const char *file, *message;
+    int column;
+    const char* excerpt;
+  };
+  for (const auto& [override, file, message, column, excerpt] : std::vector<Case>{
+           {overrideOf("--paths", "3-x", "trace.filter"), "--paths '3-x'",
+            "'x' is neither a kind of face nor the name of a halo", 3, "    1 | 3-x\n      |   ^\n"},
+           // The quote is written for TOML as it need not be on the command line.
+           {overrideOf("--paths", "greenler's arc", "trace.filter"), "--paths 'greenler's arc'",
+            "'greenler's arc' is neither a kind of face nor the name of a halo", 1,
+            "    1 | greenler's arc\n      | ^~~~~~~~~~~~~~\n"},
+           {overrideOf("--symmetry", "radial", "trace.symmetry"), "--symmetry 'radial'",
+            "the population 'plates' is not in random orientation", 1, "    1 | radial\n      | ^~~~~~\n"},
+           {overrideOf("--rays", "0k", "trace.rays", "0"), "--rays '0k'", nullptr, 1, "    1 | 0k\n      | ^\n"},
+           {overrideOf("--resolution", "64x0", "camera.resolution", "[64,0]"), "--resolution '64x0'", nullptr, 1,
+            "    1 | 64x0\n      | ^~~~\n"},
+           {overrideOf("--method", "non", "recon", "{method='non'}"), "--method 'non'", nullptr, 1,
+            "    1 | non\n      | ^~~\n"},
+           {overrideOf("--no-ground", "", "camera.horizon", "'cit'"), "--no-ground", nullptr, 0, ""}}) {
+    CAPTURE(override.text);
+    const auto errors = errorsWith(kExample, {override});
+    REQUIRE(errors.size() == 1);
+    CHECK(errors[0].file == file);
+    if (message) CHECK(errors[0].message == message);
+    const std::string key = override.text.substr(override.text.find('.') + 1);
+    CHECK(errors[0].message.find('\'' + key.substr(0, key.find('=')) + "':") == std::string::npos);
+    CHECK(errors[0].line == (column > 0 ? 1 : 0));
+    CHECK(errors[0].column == column);
+    CHECK(errors[0].excerpt == excerpt);
+  }
+}
+
 TEST_CASE("unknown keys and elements of overrides are told with what is there") {
   CHECK(wrong("sun.elevatoin=2") == std::vector<std::string>{"1:5 unknown key 'elevatoin' in [sun]"});
   CHECK(errorsOf(kExample, {"sun.elevatoin=2"}).at(0).hint.starts_with("did you mean 'elevation'?"));
