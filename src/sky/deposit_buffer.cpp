@@ -13,19 +13,29 @@ DepositBuffer::DepositBuffer(std::vector<Tally*> layers, Tally* shared, std::sha
 }
 
 void DepositBuffer::flush() {
-  for (Band& band : bands_) flush(band);
+  for (Band& band : bands_) flush(band, band.size());
+}
+
+std::size_t DepositBuffer::room() const {
+  std::size_t room = 0;
+  for (const Band& band : bands_) room += band.capacity();
+  return room;
 }
 
 void DepositBuffer::makeRoom(Band& band, std::uint64_t bundle) {
-  if (band.empty() || band.back().bundle == bundle)
-    band.reserve(std::max(kRoom, 2 * band.size()));
+  const auto isOther = [bundle](const Deposit& d) { return d.bundle != bundle; };
+  const auto ofOthers =
+      static_cast<std::size_t>(std::find_if(band.rbegin(), band.rend(), isOther).base() - band.begin());
+  // A buffer that grew whenever the last bundle goes on would grow as long as a run lasts.
+  if (ofOthers > 0)
+    flush(band, ofOthers);
   else
-    flush(band);
+    band.reserve(std::max(kRoom, 2 * band.size()));
 }
 
-void DepositBuffer::flush(Band& band) {
+void DepositBuffer::flush(Band& band, std::size_t count) {
   const std::scoped_lock lock(locks_->bands_[static_cast<std::size_t>(&band - bands_.data())]);
-  const std::span<const Deposit> deposits = band;
+  const std::span<const Deposit> deposits(band.data(), count);
   const auto forAll = [deposits](const auto& tallyOf, const auto& add) {
     // Some dozen loads may be under way at a time.
     constexpr std::size_t kAhead = 12;
@@ -48,7 +58,7 @@ void DepositBuffer::flush(Band& band) {
                addLight(tally, d);
            });
   }
-  band.clear();
+  band.erase(band.begin(), band.begin() + static_cast<std::ptrdiff_t>(count));
 }
 
 }  // namespace parhelion

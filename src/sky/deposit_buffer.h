@@ -54,6 +54,9 @@ class DepositBuffer {
   /// Adds to the tallies what is still in the buffer.
   void flush();
 
+  /// Of all deposits that it has memory for.
+  std::size_t room() const;
+
  private:
   static constexpr std::size_t kRoom = 64;  // of a band, more where a single bundle needs it
   static constexpr int kShared = -1;
@@ -71,7 +74,8 @@ class DepositBuffer {
   }
   /// For a deposit of this bundle: the others of the same must stay, if there are some.
   void makeRoom(Band& band, std::uint64_t bundle);
-  void flush(Band& band);
+  /// Adds the first `count` deposits of a band to the tallies.
+  void flush(Band& band, std::size_t count);
 
   std::vector<Tally*> layers_;
   Tally* shared_;

@@ -79,3 +79,18 @@ TEST_CASE("whatever a bundle brings to a pixel is one deposit, however many it m
   buffer.flush();
   CHECK(gathered == summed);
 }
+
+TEST_CASE("a buffer stays as small in a long run as in a short one") {
+  Tally tally = tallyOf(32, 32, 1);
+  DepositBuffer buffer(tally, std::make_shared<DepositBuffer::Locks>());
+  const auto roomAfter = [&](std::uint64_t from, std::uint64_t to) {
+    for (std::uint64_t bundle = from; bundle < to; ++bundle)
+      for (int i = 0; i < 6; ++i) {
+        RandomStream random(bundle, i, RandomPurpose::path);
+        buffer.add(static_cast<int>(random.next() * tally.pixels()), toFixedLight(Vec3(1.0), tally.perWhite()), bundle);
+      }
+    return buffer.room();
+  };
+  const std::size_t atFirst = roomAfter(0, 2000);
+  CHECK(roomAfter(2000, 100'000) == atFirst);
+}
