@@ -211,8 +211,11 @@ void writeView(View view, const ViewInput& input, const ViewOptions& options, Tr
 std::vector<ViewInput> readPictures(const ViewOptions& options) {
   constexpr int kBytesForUse = 16;  // a pixel: three floats, and the view of 8 bits
   const PhotographRules rules = options.photo.rules(kBytesForUse);
-  std::vector<ViewInput> pictures{readViewInput(options.input, rules, options.layers)};
-  for (const std::string& other : options.beside) pictures.push_back(readViewInput(other, rules, options.layers));
+  const OverlaySettings overlay = options.overlaySettings();
+  const bool withNames = options.drawsLines() && overlay.halos && overlay.labels;
+  std::vector<ViewInput> pictures{readViewInput(options.input, rules, options.layers, withNames)};
+  for (const std::string& other : options.beside)
+    pictures.push_back(readViewInput(other, rules, options.layers, withNames));
   if (!options.minus.empty()) pictures.push_back(readViewInput(options.minus, rules, options.layers));
   if (options.needsCamera() && !options.photo.given())
     for (ViewInput& picture : pictures) takeSceneBeside(picture);

@@ -7,6 +7,7 @@
 
 #include "cli/commands.h"
 #include "cli/file_words.h"
+#include "cli/view_layers.h"
 #include "photo/sky_mask.h"
 #include "picture/auto_exposure.h"
 #include "picture/exr.h"
@@ -47,6 +48,22 @@ void requireLayers(const std::string& path, const std::vector<std::string>& has,
   }
 }
 
+/// Reads a picture of light.
+void readLight(ViewInput& input, const PhotographRules& rules, const std::vector<std::string>& layers, bool withNames) {
+  const auto scene = input.scene();
+  const bool named = withNames && scene && !namedLayers(*scene, "the scene in " + input.path).empty();
+  const bool whole = named || !layers.empty();
+  Image image = readExr(input.path, exrColours(rules), {!whole, rules.bytesForUse, rules.editedPictures()}).image;
+  requireColours(input.path, image);
+  if (!layers.empty()) requireLayers(input.path, layersOf(image), layers);
+  if (whole) {
+    Image apart = takeLayers(image);
+    if (!layers.empty()) image = sumOfLayers(apart, layers);
+    if (named) input.layers = std::move(apart);
+  }
+  input.light = std::move(image);
+}
+
 }  // namespace
 
 bool ViewInput::isPhotograph() const { return !scene() || photograph.text.contains(kStrengthKey); }
@@ -56,7 +73,8 @@ std::optional<std::string> ViewInput::scene() const {
   return found == photograph.text.end() ? std::nullopt : std::optional(found->second);
 }
 
-ViewInput readViewInput(const std::string& path, const PhotographRules& rules, const std::vector<std::string>& layers) {
+ViewInput readViewInput(const std::string& path, const PhotographRules& rules, const std::vector<std::string>& layers,
+                        bool withNames) {
   ViewInput input;
   requireFit(path, Wanted::view);
   input.path = input.sceneFile = path;
@@ -82,12 +100,7 @@ ViewInput readViewInput(const std::string& path, const PhotographRules& rules, c
       input.light = plainRadiance(*input.tally);
     }
   } else {
-    input.light = readExr(path, exrColours(rules), {layers.empty(), rules.bytesForUse, rules.editedPictures()}).image;
-    requireColours(path, *input.light);
-    if (!layers.empty()) {
-      requireLayers(path, layersOf(*input.light), layers);
-      keepLayers(*input.light, layers);
-    }
+    readLight(input, rules, layers, withNames);
   }
   return input;
 }

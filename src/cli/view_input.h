@@ -18,6 +18,7 @@ struct ViewInput {
   std::string path;
   Photograph photograph;       // of an EXR only size and text, without samples
   std::optional<Image> light;  // of an EXR: what it holds; of a tally: each pixel's own light, unfiltered
+  Image layers;                // of an EXR whose layers are to be named: their light
   std::optional<Tally> tally;
 
   std::string sceneFile;  // the file that has the scene
@@ -30,9 +31,10 @@ struct ViewInput {
 };
 
 /// Reads a photograph, a sky or a tally, told apart by what is in the file. Throws std::runtime_error "path: reason".
-/// Of an EXR with layers of light only those named, or all if none is. Throws Unfit where it has no such layer.
+/// Of an EXR with layers of light it shows only those of `layers`, or all if there are none there. Throws Unfit where
+/// it has no such layer. `withNames`: whether layers get their names (view_layers.h), for which their light is kept.
 ViewInput readViewInput(const std::string& path, const PhotographRules& rules,
-                        const std::vector<std::string>& layers = {});
+                        const std::vector<std::string>& layers = {}, bool withNames = false);
 
 /// Gives a picture without a scene, such as a preview whose text has been lost, that of the sky of the same name and
 /// shape beside it, if there is one: an EXR of render or recon.

@@ -12,8 +12,11 @@ namespace parhelion {
 /// The layers of a picture, as compositors read them: a layer NAME has the channels NAME.R, NAME.G and NAME.B.
 std::vector<std::string> layersOf(const Image& image);
 
-/// Makes R, G, B the sums of some of the picture's layers, and takes away all other channels. Throws
+/// Takes the channels of all layers out of a picture, which keeps the others.
+Image takeLayers(Image& image);
+
+/// A picture whose R, G, B are the sums of some of the picture's layers, without other channels. Throws
 /// std::invalid_argument if it does not have one of them.
-void keepLayers(Image& image, std::span<const std::string> layers);
+Image sumOfLayers(const Image& image, std::span<const std::string> layers);
 
 }  // namespace parhelion

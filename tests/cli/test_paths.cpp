@@ -7,7 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "cli/view_layers.h"
 #include "picture/exr.h"
+#include "picture/picture_layers.h"
+#include "scene/parse_scene.h"
 #include "shell.h"
 
 using namespace parhelion::test;
@@ -133,6 +136,32 @@ TEST_CASE("layers go from tally to picture, and are left out, relit and shown by
     CHECK(has(outcome.err, "did you mean 'cza'?"));
   }
   CHECK(has(folder("recon t.exr -o b.exr --gain cza=x").err, "expected NAME=X"));
+}
+
+TEST_CASE("a picture's layers are named with what was read when it was") {
+  const Display folder;
+  REQUIRE(folder("render l.toml -o all.exr --quiet").exit == 0);
+  const std::string file = (folder / "all.exr").string();
+  const parhelion::cli::ViewInput all = parhelion::cli::readViewInput(file, {}, {}, true),
+                                  some = parhelion::cli::readViewInput(file, {}, {"wedge"}, true),
+                                  plain = parhelion::cli::readViewInput(file, {}, {});
+  const std::vector<float> wedge = channel(file, "wedge.G"), green = channel(file, "G");
+  std::filesystem::remove(file);
+  CHECK(parhelion::layersOf(all.layers).size() == 3);
+  CHECK(plain.layers.channels.empty());
+  CHECK(*all.light->find("G") == green);
+  CHECK(*plain.light->find("G") == green);
+  CHECK(*some.light->find("G") == wedge);
+  parhelion::OverlaySettings overlay;
+  overlay.halos = overlay.labels = overlay.belowHorizon = true;
+  const parhelion::CameraSettings camera = parhelion::loadScene(folder / "l.toml").scene.camera;
+  const auto names = parhelion::cli::layerNames(all, camera, {}, overlay);
+  REQUIRE_FALSE(names.empty());
+  CHECK(names.front().text == "circumzenithal arc");
+  CHECK(parhelion::cli::layerNames(some, camera, {"cza"}, overlay).size() == 1);
+  CHECK(parhelion::cli::layerNames(plain, camera, {}, overlay).empty());
+  CHECK(folder("render l.toml -o all.exr --quiet").exit == 0);
+  CHECK(folder("view all.exr --layers wedge --overlay -o v.png --quiet").exit == 0);
 }
 
 TEST_CASE("the sky is painted by paths with a legend beside it") {
