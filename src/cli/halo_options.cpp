@@ -45,7 +45,7 @@ double HaloOptions::sunElevation() const {
 std::uint64_t HaloOptions::memoryFor(const PhotoCamera& camera) const {
   if (!picture.empty()) return 0;
   const Scene scene = sceneFor(camera).coarse.scene;
-  return memoryToReconstruct(skySizeOf(scene), scene.recon, run.threads);
+  return memoryToRender(skySizeOf(scene), scene.recon, run.threads);
 }
 
 MadeHalo HaloOptions::make(const PhotoCamera& camera, EditedPictures edited) const {

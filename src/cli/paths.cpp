@@ -161,8 +161,7 @@ void writeMap(const PathsOptions& options, const LoadedScene& loaded, const Clou
   std::vector<LayerSettings>& layers = layered.scene.trace.paths.layers;
   layers = strongestPaths(ledger.entries(kReferenceWavelength), cloud,
                           options.top > 0 ? std::min<std::size_t>(options.top, kMostHues) : kMostHues);
-  requireMemory("the map of paths",
-                memoryToReconstruct(skySizeOf(layered.scene), layered.scene.recon, options.run.threads));
+  requireMemory("the map of paths", memoryToRender(skySizeOf(layered.scene), layered.scene.recon, options.run.threads));
   TraceWatch watch(options.run, layered.scene.trace.rays);
   const TracedSky traced = traceSky(layered, cloud, watch.control());
   watch.report(traced.report, traced.settings);

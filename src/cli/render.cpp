@@ -120,7 +120,7 @@ int runRender(const RenderOptions& options, const CLI::App& command, Tracers& tr
   const RayRange wanted = options.longRun.wanted(settings.rays, cloud.bundleSize(), options.run);
   const std::filesystem::path checkpoint = tallyOf(files);
   const SkySize size = skySizeOf(loaded.scene);
-  requireMemory("the picture", memoryToReconstruct(size, loaded.scene.recon, options.run.threads));
+  requireMemory("the picture", memoryToRender(size, loaded.scene.recon, options.run.threads));
   Transaction outputs = claimOutputs({{scene},
                                       {files.exr, files.png, options.run.stats},
                                       {},

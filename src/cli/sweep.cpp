@@ -73,7 +73,7 @@ void requireOutputsOf(const SweepOptions& options, const std::vector<SweepFrame>
     files.outputs.push_back(frame.png());
     const SkySize size = skySizeOf(frame.loaded.scene);
     if (!frame.lacks.empty()) files.leastBytes[frame.exr] = leastBytesOfPicture(size, frame.loaded.scene.recon);
-    requireMemory(frame.exr.string(), memoryToReconstruct(size, frame.loaded.scene.recon, options.run.threads));
+    requireMemory(frame.exr.string(), memoryToRender(size, frame.loaded.scene.recon, options.run.threads));
   }
   requireOutputs(files, options.run.overwrite);
 }

@@ -10,6 +10,7 @@
 #include "beam/scatter_integral.h"
 #include "crystal/symmetry.h"
 #include "math/overloaded.h"
+#include "sky/radial_sky.h"
 
 namespace parhelion {
 
@@ -29,6 +30,11 @@ std::uint64_t mapBins(int binsPerHalfTurn) {
 
 /// A pixel, of one tally.
 std::uint64_t bytesOfTally(const SkySize& size) { return size.colours ? 66 : 34; }
+
+/// Of all tallies' rings about the sun, once.
+std::uint64_t bytesOfRings(const SkySize& size) {
+  return static_cast<std::uint64_t>(size.radialTallies) * static_cast<std::uint64_t>(size.rings) * sizeof(SumLine);
+}
 
 /// Of a picture in colours, at the peak of its reconstruction.
 std::uint64_t bytesPerPixel(const ReconSettings& settings) {
@@ -55,20 +61,37 @@ SkySize skySizeOf(const Scene& scene) {
   for (const PopulationSettings& population : scene.populations)
     symmetries.emplace(isFullyRandom(population), !isFullyRandom(population) && isMirrorSymmetric(population));
   const bool isMixed = scene.trace.symmetry == Symmetry::automatic;
+  const bool isRadial = isMixed ? symmetries.contains({true, false}) : scene.trace.symmetry == Symmetry::radial;
   const int parts = isMixed ? static_cast<int>(symmetries.size()) : 1;
-  const int named = static_cast<int>(scene.trace.paths.layers.size());
-  return {std::int64_t{scene.camera.width} * scene.camera.height, !single, named > 0 ? (named + 2) * parts : parts,
-          named > 0 ? named + 1 : 0};
+  const int named = static_cast<int>(scene.trace.paths.layers.size()), perPart = named > 0 ? named + 2 : 1;
+  SkySize size{std::int64_t{scene.camera.width} * scene.camera.height, !single, perPart * parts,
+               named > 0 ? named + 1 : 0};
+  if (isRadial) {
+    TallyInfo info;
+    info.camera = scene.camera;
+    size.radialTallies = perPart;
+    size.rings = RadialSky(info, Vec3(1.0, 0.0, 0.0)).bins();
+  }
+  return size;
 }
 
 SkySize skySizeOf(const SkyTally& tally) {
-  return {tally.pixels(), tally.colours() == 3, static_cast<int>(tally.parts().size() + tally.shared().size()),
-          static_cast<int>(tally.layers().size())};
+  SkySize size{tally.pixels(), tally.colours() == 3, static_cast<int>(tally.parts().size() + tally.shared().size()),
+               static_cast<int>(tally.layers().size())};
+  const auto count = [&](const Tally& one) {
+    if (!one.rings()) return;
+    ++size.radialTallies;
+    size.rings = one.rings()->bins();
+  };
+  for (const SkyTally::Part& part : tally.parts()) count(part.tally);
+  for (const SkyTally::Shared& shared : tally.shared()) count(shared);
+  return size;
 }
 
 std::uint64_t memoryToTrace(const SkySize& size, int threads) {
+  // Each thread has rings of its own, and in the end the layers' are made densities at once.
   return static_cast<std::uint64_t>(size.pixels) * bytesOfTally(size) * static_cast<std::uint64_t>(size.tallies) +
-         memoryOfWorkers(threads);
+         bytesOfRings(size) * (workers(threads) + 2) + memoryOfWorkers(threads);
 }
 
 std::uint64_t memoryToReconstruct(const SkySize& size, const ReconSettings& settings, int threads) {
@@ -77,7 +100,11 @@ std::uint64_t memoryToReconstruct(const SkySize& size, const ReconSettings& sett
   const std::uint64_t more = bytesOfTally(size) * static_cast<std::uint64_t>(size.tallies - 1) +
                              (size.tallies > 1 ? 20 : 0) + 12 * static_cast<std::uint64_t>(size.layers);
   return (size.colours ? colours : colours / 100 * 64) + static_cast<std::uint64_t>(size.pixels) * more +
-         memoryOfWorkers(threads);
+         bytesOfRings(size) + memoryOfWorkers(threads);
+}
+
+std::uint64_t memoryToRender(const SkySize& size, const ReconSettings& settings, int threads) {
+  return std::max(memoryToTrace(size, threads), memoryToReconstruct(size, settings, threads));
 }
 
 std::uint64_t memoryToMap(int binsPerHalfTurn, int threads) {

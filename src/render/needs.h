@@ -17,7 +17,9 @@ struct SkySize {
   std::int64_t pixels = 0;
   bool colours = true;
   int tallies = 1;
-  int layers = 0;  // of light, the rest among them
+  int layers = 0;         // of light, the rest among them
+  int radialTallies = 0;  // of the tallies, that have rings about the sun
+  int rings = 0;          // of each
 };
 SkySize skySizeOf(const Scene& scene);
 SkySize skySizeOf(const SkyTally& tally);
@@ -26,6 +28,9 @@ SkySize skySizeOf(const SkyTally& tally);
 // processor.
 std::uint64_t memoryToTrace(const SkySize& size, int threads);
 std::uint64_t memoryToReconstruct(const SkySize& size, const ReconSettings& settings, int threads);
+
+/// To trace and then to reconstruct.
+std::uint64_t memoryToRender(const SkySize& size, const ReconSettings& settings, int threads);
 std::uint64_t memoryToMap(int binsPerHalfTurn, int threads);
 std::uint64_t memoryToProfile(int bins, int threads);
 std::uint64_t memoryToIntegrate(int bins, int threads);

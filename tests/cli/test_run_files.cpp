@@ -3,12 +3,14 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include <nlohmann/json.hpp>
 
 #include "photographs.h"
 #include "render/needs.h"
 #include "rendered_sky.h"
+#include "scene/parse_scene.h"
 
 using namespace parhelion::test;
 using namespace parhelion;
@@ -190,6 +192,32 @@ TEST_CASE("the memory that runs take is known beforehand to within a factor of 1
                   .exit == 0);
       CHECK_MESSAGE(isNear(kProgram + static_cast<double>(memoryToReconstruct(sky, settings, 2)), peak()),
                     method << " " << side << " took " << peak());
+    }
+  }
+}
+
+TEST_CASE("the memory that runs of many layers take is known beforehand to within 15 %") {
+  const WithScene folder;
+  constexpr double kProgram = 17e6;  // bytes, without any picture
+  for (const int layers : {8, 64}) {
+    // Small pictures: of random crystals' layers the rings take more than the pixels.
+    std::string text =
+        "[[population]]\nname = \"random\"\norientation = \"random\"\n[[population]]\n"
+        "name = \"plates\"\norientation = \"plate\"\n[camera]\nresolution = [256, 256]\n";
+    for (int i = 1; i < layers; ++i)
+      text += "[[layer]]\nname = \"l" + std::to_string(i) + "\"\npaths = \"" + std::to_string(3 + i / 8 % 6) + "-" +
+              std::to_string(1 + i % 8) + ", symmetry = none\"\n";
+    writeFile(folder / "layers.toml", text);
+    const Scene scene = loadScene(folder / "layers.toml").scene;
+    const SkySize sky = skySizeOf(scene);
+    for (const auto& [command, told] :
+         {std::pair{"trace", memoryToTrace(sky, 2)}, std::pair{"render", memoryToRender(sky, scene.recon, 2)}}) {
+      REQUIRE(run(folder, "parhelion " + std::string(command) +
+                              " layers.toml --rays 1M --nthreads 2 --quiet --overwrite -o o.exr --stats s.json")
+                  .exit == 0);
+      const double peak = nlohmann::json::parse(readFile(folder / "s.json")).at("peak_memory_bytes").get<double>();
+      CHECK_MESSAGE(std::abs((kProgram + static_cast<double>(told)) / peak - 1.0) < 0.15,
+                    command << " " << layers << ": told " << told << ", took " << peak);
     }
   }
 }
