@@ -182,6 +182,16 @@ TEST_CASE("each name of a halo keeps light where that halo is") {
   const auto at120 = lightOf("120° parhelion");
   checkAllAt(at120, &Kept::elevation, kSun);
   checkAllAt(at120, &Kept::azimuth, 120.0);
+  // One more reflection by the plate's other end turns light upside down.
+  const auto subparhelic = lightOf("subparhelic circle", kSun, 1.0);
+  checkAllAt(subparhelic, &Kept::elevation, -kSun);
+  CHECK(least(subparhelic, &Kept::azimuth) < 20.0);
+  CHECK(most(subparhelic, &Kept::azimuth) > 170.0);
+  const auto below120 = lightOf("120° subparhelion", kSun, 1.0);
+  checkAllAt(below120, &Kept::elevation, -kSun);
+  checkAllAt(below120, &Kept::azimuth, 120.0);
+  checkAllAt(lightOf("subcircumzenithal arc"), &Kept::elevation,
+             -degrees(theory::circumzenithal(kIndex, radians(kSun))));
   for (const char* name : {"subsun", "sun pillar"}) {  // of plates that do not tilt a pillar is the subsun
     const auto light = lightOf(name);
     checkAllAt(light, &Kept::elevation, -kSun);
@@ -251,6 +261,23 @@ TEST_CASE("light of the rare arcs' names lies on their lines") {
   CHECK(within(0.0, 0.5) > 2.0 * within(3.0, 6.0));
 }
 
+TEST_CASE("the antisolar arc is opposite to a reflection by planes that slope by 30 degrees") {
+  // Light is turned by half a turn about a line across c that is at 60 degrees to the horizon: opposite to where that
+  // line's plane would mirror it. So the line is halfway between the sun and the arc.
+  for (const double sun : {10.0, kSun, 40.0}) {
+    const Vec3 toSun(std::cos(radians(sun)), 0.0, std::sin(radians(sun)));
+    double nearest = 180.0;
+    for (const Kept& one : lightOf("antisolar arc", sun, 1.0, 300'000)) {
+      const Vec3 halfway = toSun + one.toSky;
+      nearest = std::min(nearest, degrees(glm::length(halfway)));
+      if (glm::length(halfway) > 1e-3)
+        CHECK(std::abs(halfway.z) / glm::length(halfway) == doctest::Approx(std::sin(radians(60.0))).epsilon(1e-6));
+    }
+    // The line can lie across the light up to this sun, and then the arc passes through the antisolar point.
+    if (sun < 30.0) CHECK(nearest < 1.0);
+  }
+}
+
 TEST_CASE("the Kern arc completes the circle of the circumzenithal arc") {
   const auto kern = lightOf("Kern arc", kSun, 0.6), arc = lightOf("circumzenithal arc", kSun, 0.6);
   checkAllAt(kern, &Kept::elevation, degrees(theory::circumzenithal(kIndex, radians(kSun))));
@@ -273,6 +300,9 @@ TEST_CASE("Liljequist parhelia are brightest where two of their reflections ceas
 TEST_CASE("every name of a halo keeps light") {
   for (const HaloPath& halo : haloPaths()) {
     CAPTURE(halo.name);
-    CHECK_FALSE(lightOf(halo.name, halo.name == "circumhorizontal arc" ? 60.0 : kSun, 1.0, 50'000).empty());
+    const double sun = halo.name == "circumhorizontal arc" ? 60.0 : kSun;
+    // Only of thin plates does light reach the lower end and then a side.
+    const double aspect = halo.name == "subcircumzenithal arc" ? 0.3 : 1.0;
+    CHECK_FALSE(lightOf(halo.name, sun, aspect, 50'000).empty());
   }
 }

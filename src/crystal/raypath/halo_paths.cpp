@@ -12,6 +12,9 @@ constexpr std::string_view kGreenler = "Greenler 1980";
 constexpr std::string_view kTape = "Tape 1994";
 constexpr std::string_view kTapeMoilanen = "Tape & Moilanen 2006";
 constexpr std::string_view kCowley = "Cowley, Atmospheric Optics, Kern arc";
+constexpr std::string_view kCowleyBelow = "Cowley, Atmospheric Optics, subhorizon halos";
+constexpr std::string_view kGreenlerTraenkle = "Greenler & Traenkle 1984";
+constexpr std::string_view kCowleyAntisolar = "Cowley, Atmospheric Optics, antisolar arcs";
 constexpr std::string_view kMeteoros = "Arbeitskreis Meteore, Haloarten, EE 57";
 constexpr std::string_view kSelmke = "Borchardt & Selmke 2015";
 
@@ -28,6 +31,7 @@ constexpr std::pair<std::string_view, std::string_view> kShortNames[] = {
     {"helic arc", "heliac arc"},
     {"anthelic diffuse arc", "diffuse arc"},
     {"greenler's diffuse arc", "diffuse arc"},
+    {"parry antisolar arc", "antisolar arc"},
     {"tricker's anthelic arc", "tricker arc"},
     {"wegener's anthelic arc", "wegener arc"},
 };
@@ -79,6 +83,13 @@ std::span<const HaloPath> haloPaths() {
       {"120° parhelion", "1-3-4-2 | 1-3-5-2", {plate}, kTape},
       {"subsun", "1 | 1-2-1 | 3-2-6 | 3-2-1-2-6", {plate}, kGreenler},
       {"subparhelion", "3-2-5 | 3-1-5 | 3-2-1-2-5 | 3-1-2-1-5", {plate}, kTape},
+      {"subparhelic circle",
+       "1-2-prism-1 | 1-prism-2-1 | 1-(2-prism-prism-prism | prism-2-prism-prism | prism-prism-2-prism | "
+       "prism-prism-prism-2)-1",
+       {plate},
+       kCowleyBelow},
+      {"120° subparhelion", "1-(2-3-4 | 3-2-4 | 3-4-2 | 2-3-5 | 3-2-5 | 3-5-2)-1", {plate}, kCowleyBelow},
+      {"subcircumzenithal arc", "1-2-3", {plate}, kCowleyBelow},
       {"sun pillar", "basal | 1-2-1 | 2-1-2 | 3-2-6 | 3-1-6", {plate}, kGreenler},
       {"Wegener arc", "3-1-5", {column}, kTape},
       {"Hastings arc", "3-1-5, symmetry = crystal", {parry}, kTape},
@@ -90,7 +101,11 @@ std::span<const HaloPath> haloPaths() {
        "symmetry = crystal",
        {column, parry},
        kMeteoros},
-      {"diffuse arc", "3-(1-5 | 5-1)-7 | 3-(1-5-6-7 | 5-1-6-7 | 5-6-1-7 | 5-6-7-1)-3", {column}, kGreenler},
+      {"diffuse arc", "3-(1-5 | 5-1)-7 | 3-(1-5-6-7 | 5-1-6-7 | 5-6-1-7 | 5-6-7-1)-3", {column}, kGreenlerTraenkle},
+      {"antisolar arc",
+       "4-(1-7 | 7-1)-4 | 5-(1-8 | 8-1)-5 | 3-(1-5 | 5-1)-7 | 7-(1-5 | 5-1)-3 | 6-(1-4 | 4-1)-8 | 8-(1-4 | 4-1)-6",
+       {parry},
+       kCowleyAntisolar},
       {"Kern arc", "1-(3 | 3-2-1 | 2-3-1 | 2-1-3)-(4 | 5)", {plate}, kCowley},
       {"Liljequist parhelion",
        "3-(5-6 | 2-1-5-6 | 2-5-1-6 | 2-5-6-1 | 5-2-1-6 | 5-2-6-1 | 5-6-2-1)-7 | "

@@ -18,9 +18,9 @@ struct HaloPath {
   std::string_view source;
 };
 
-/// The halos that patterns may call by name. Paths after Greenler 1980, Tape 1994, Tape & Moilanen 2006. Where two
-/// halos come of the same paths in the same crystals, such as the upper and the lower tangent arc, both names mean
-/// both.
+/// The halos that patterns may call by name. `source` says who treats each.
+/// Where two halos come of the same paths in the same crystals, such as the upper and the lower tangent arc, both names
+/// mean both.
 std::span<const HaloPath> haloPaths();
 
 /// All of this name, whatever its capitals; its plural and "deg" for the degree sign will do. Empty if there is none.
