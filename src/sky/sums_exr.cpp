@@ -8,12 +8,15 @@
 #include <ImfMultiPartOutputFile.h>
 #include <ImfOutputPart.h>
 #include <ImfPartType.h>
+#include <ImfStdIO.h>
 
 #include <algorithm>
 #include <bit>
 #include <charconv>
+#include <map>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 #include "math/checksum.h"
 #include "picture/exr_stream.h"
@@ -69,18 +72,26 @@ struct Digest {
   std::size_t zeros = 0;
 };
 
-Digest digestOf(const SumsPart& part, std::size_t index, const SumsSource& source) {
-  Digest digest;
-  Checksum checksum;
-  Rows block(part);
-  forBlocks(part, [&](int row, int rows) {
-    const std::span<std::int64_t> values(block.values.data(), block.sizeOf(rows));
-    source(index, block.sizeOf(row), values);
-    addIntegers(checksum, values);
-    digest.zeros += static_cast<std::size_t>(std::ranges::count(values, std::int64_t{0}));
-  });
-  digest.checksum = checksum.value();
-  return digest;
+/// All parts take turns with each block of rows: those that are numbers of the same pixels find them in the cache.
+std::vector<Digest> digestsOf(std::span<const SumsPart> parts, const SumsSource& source) {
+  std::vector<Digest> digests(parts.size());
+  std::vector<Checksum> checksums(parts.size());
+  std::vector<std::int64_t> room;
+  int tallest = 0;
+  for (const SumsPart& part : parts) tallest = std::max(tallest, part.height);
+  for (int row = 0; row < tallest; row += kBlockRows)
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      const int rows = std::min(kBlockRows, parts[i].height - row);
+      if (rows <= 0) continue;
+      const std::size_t width = static_cast<std::size_t>(parts[i].width);
+      room.resize(std::max(room.size(), width * static_cast<std::size_t>(rows)));
+      const std::span<std::int64_t> values(room.data(), width * static_cast<std::size_t>(rows));
+      source(i, width * static_cast<std::size_t>(row), values);
+      addIntegers(checksums[i], values);
+      digests[i].zeros += static_cast<std::size_t>(std::ranges::count(values, std::int64_t{0}));
+    }
+  for (std::size_t i = 0; i < parts.size(); ++i) digests[i].checksum = checksums[i].value();
+  return digests;
 }
 
 /// Whether runs of equal bytes are enough to make a part small: they take a small part of the work that ZIP does, but
@@ -112,6 +123,45 @@ Imf::Header headerOf(const SumsPart& part, const Digest& digest, const SumsPart&
   header.setType(Imf::SCANLINEIMAGE);
   for (const char* half : {"hi", "lo"}) header.channels().insert(half, Imf::Channel(Imf::UINT));
   return header;
+}
+
+/// A part of nothing but zeros, as it stands in a file. Others of its size are copied from it: packing the same zeros
+/// again is what takes long.
+class ZeroPart {
+ public:
+  explicit ZeroPart(const SumsPart& part) {
+    const Imf::Header header = headerOf(part, {.zeros = part.size()}, part);
+    Imf::StdOSStream packed;
+    {
+      Imf::MultiPartOutputFile writer(packed, &header, 1);
+      writePart(Imf::OutputPart(writer, 0), part, 0,
+                [](std::size_t, std::size_t, std::span<std::int64_t> values) { std::ranges::fill(values, 0); });
+    }
+    packed_.str(packed.str());
+    file_.emplace(packed_);
+  }
+
+  void copyTo(Imf::OutputPart output) {
+    Imf::InputPart input(*file_, 0);
+    output.copyPixels(input);
+  }
+
+ private:
+  Imf::StdISStream packed_;
+  std::optional<Imf::MultiPartInputFile> file_;
+};
+
+void writeParts(Imf::MultiPartOutputFile& writer, std::span<const SumsPart> parts, std::span<const Digest> digests,
+                const SumsSource& source) {
+  std::map<std::pair<int, int>, ZeroPart> zeros;  // by size
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const SumsPart& part = parts[i];
+    const Imf::OutputPart output(writer, static_cast<int>(i));
+    if (digests[i].zeros == part.size())
+      zeros.try_emplace({part.width, part.height}, part).first->second.copyTo(output);
+    else
+      writePart(output, part, i, source);
+  }
 }
 
 /// All attributes of a file.
@@ -175,19 +225,15 @@ SumsPart listPart(std::string name, std::size_t numbers) {
 void writeSumsExr(const Output& output, const ExrAttributes& attributes, std::span<const SumsPart> parts,
                   const SumsSource& source) {
   withExrErrors(output.path, [&] {
+    const std::vector<Digest> digests = digestsOf(parts, source);
     std::vector<Imf::Header> headers;
-    std::vector<Digest> digests;
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-      digests.push_back(digestOf(parts[i], i, source));
-      headers.push_back(headerOf(parts[i], digests.back(), parts.front()));
-    }
+    for (std::size_t i = 0; i < parts.size(); ++i) headers.push_back(headerOf(parts[i], digests[i], parts.front()));
     insertText(headers.front(), completed(attributes, parts, digests));
     AtomicFile file(output);
     {
       ExrOutput stream(output.path, file);
       Imf::MultiPartOutputFile writer(stream, headers.data(), static_cast<int>(headers.size()));
-      for (std::size_t i = 0; i < parts.size(); ++i)
-        writePart(Imf::OutputPart(writer, static_cast<int>(i)), parts[i], i, source);
+      writeParts(writer, parts, digests, source);
     }  // here OpenEXR writes its tables of scan lines
     file.commit();
   });

@@ -176,8 +176,10 @@ void writeSkyTallyExr(const Output& output, const SkyTally& sky) {
   listParts(membersOf(sky), parts, places);
   writeSumsExr(output, attributes, parts, [&](std::size_t part, std::size_t first, std::span<std::int64_t> values) {
     const auto& [tally, slot, inRings] = places[part];
-    for (std::size_t i = 0; i < values.size(); ++i)
-      values[i] = inRings ? ringSum(*tally->rings(), first + i, slot) : tally->raw(static_cast<int>(first + i), slot);
+    if (inRings)
+      for (std::size_t i = 0; i < values.size(); ++i) values[i] = ringSum(*tally->rings(), first + i, slot);
+    else
+      for (std::size_t i = 0; i < values.size(); ++i) values[i] = tally->raw(static_cast<int>(first + i), slot);
   });
 }
 

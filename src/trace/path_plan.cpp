@@ -59,10 +59,7 @@ PathPlan::PathPlan(const Cloud& cloud, const PathSettings& settings, bool sequen
   if (record_ == PathRecord::nothing) return;
   if (settings.layers.size() > kMostLayers)
     throw std::invalid_argument("there may be " + std::to_string(kMostLayers) + " layers at the most");
-  for (const LayerSettings& layer : settings.layers) {
-    tilts_.push_back(layer.tilt);
-    hasTilts_ |= layer.tilt.has_value();
-  }
+  for (const LayerSettings& layer : settings.layers) tilts_.push_back(layer.tilt);
   for (const Population& population : cloud.populations()) populations_.push_back(planFor(population, settings));
   for (OfPopulation& plan : populations_)
     plan.table = {plan.automaton.table().data(), static_cast<double>(plan.automaton.faces()), plan.code.bits(),
@@ -94,7 +91,7 @@ PathPlan::OfPopulation PathPlan::planFor(const Population& population, const Pat
   constexpr int kFilter = -1;
   if (settings.filter) add(*settings.filter, kFilter);
 
-  OfPopulation plan{PathAutomaton(numbers, patterns), PathCode(static_cast<int>(numbers.size())), {}, {}, {}};
+  OfPopulation plan{PathAutomaton(numbers, patterns), PathCode(static_cast<int>(numbers.size())), {}, {}, {}, false};
   for (int state = 0; state < plan.automaton.states(); ++state) {
     const PathAutomaton::Patterns& accepted = plan.automaton.accepted(state);
     std::uint64_t taken = 0;
@@ -105,6 +102,7 @@ PathPlan::OfPopulation PathPlan::planFor(const Population& population, const Pat
         kept = true;
       else
         taken |= std::uint64_t{1} << decides[i];
+      plan.hasTilts |= decides[i] != kFilter && tilts_[static_cast<std::size_t>(decides[i])].has_value();
     }
     plan.takenBy.push_back(taken);
     plan.kept.push_back(kept);

@@ -34,7 +34,8 @@ class PathPlan {
 
   bool hasFilter() const { return hasFilter_; }
 
-  bool hasTilts() const { return hasTilts_; }
+  /// Whether the tilt of a population's crystals decides on the layer of their light.
+  bool hasTilts(int population) const { return populations_[population].hasTilts; }
 
   /// Layers that have a name. The rest is one more, after them.
   int layers() const { return layers_; }
@@ -58,12 +59,13 @@ class PathPlan {
     PathTable table;
     std::vector<std::uint64_t> takenBy;  // by state: layers whose pattern takes it
     std::vector<char> kept;              // by state: whether the filter does
+    bool hasTilts = false;
   };
   OfPopulation planFor(const Population& population, const PathSettings& settings) const;
 
   std::vector<OfPopulation> populations_;
   std::vector<std::optional<LayerSettings::TiltRange>> tilts_;  // by layer
-  bool hasFilter_, hasTilts_ = false;
+  bool hasFilter_;
   int layers_;
   PathRecord record_;
 };

@@ -184,7 +184,7 @@ void Wave::filter(int population) {
 /// Says of each exit which layer its light belongs to.
 void Wave::sortByLayer(const RayQueue& queue, int population) {
   exits_.layer.resize(static_cast<std::size_t>(exits_.count));
-  if (!paths_.hasTilts()) {
+  if (!paths_.hasTilts(population)) {
     for (int i = 0; i < exits_.count; ++i)
       exits_.layer[static_cast<std::size_t>(i)] = paths_.layerOf(population, exits_.pathState[i], ~std::uint64_t{0});
     return;
