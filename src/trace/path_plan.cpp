@@ -91,7 +91,8 @@ PathPlan::OfPopulation PathPlan::planFor(const Population& population, const Pat
   constexpr int kFilter = -1;
   if (settings.filter) add(*settings.filter, kFilter);
 
-  OfPopulation plan{PathAutomaton(numbers, patterns), PathCode(static_cast<int>(numbers.size())), {}, {}, {}, false};
+  OfPopulation plan{
+      PathAutomaton(numbers, patterns), PathCode(static_cast<int>(numbers.size())), {}, {}, {}, {}, false};
   for (int state = 0; state < plan.automaton.states(); ++state) {
     const PathAutomaton::Patterns& accepted = plan.automaton.accepted(state);
     std::uint64_t taken = 0;
@@ -105,6 +106,7 @@ PathPlan::OfPopulation PathPlan::planFor(const Population& population, const Pat
       plan.hasTilts |= decides[i] != kFilter && tilts_[static_cast<std::size_t>(decides[i])].has_value();
     }
     plan.takenBy.push_back(taken);
+    plan.layers.push_back(layerIn(taken));
     plan.kept.push_back(kept);
   }
   return plan;

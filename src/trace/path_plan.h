@@ -46,18 +46,24 @@ class PathPlan {
   /// Whether the filter keeps light in this state of the population's automaton.
   bool keeps(int population, double state) const { return populations_[population].kept[static_cast<int>(state)]; }
 
+  /// By state of the population's automaton: the layer of light, if tilts do not matter.
+  const std::vector<int>& layersOf(int population) const { return populations_[population].layers; }
+
   /// The layer of light in this state, of those that layersFor() allows.
   int layerOf(int population, double state, std::uint64_t allowed) const {
     const std::uint64_t taken = populations_[population].takenBy[static_cast<int>(state)] & allowed;
-    return taken != 0 ? std::countr_zero(taken) : layers_;
+    return layerIn(taken);
   }
 
  private:
+  int layerIn(std::uint64_t taken) const { return taken != 0 ? std::countr_zero(taken) : layers_; }
+
   struct OfPopulation {
     PathAutomaton automaton;
     PathCode code;
     PathTable table;
     std::vector<std::uint64_t> takenBy;  // by state: layers whose pattern takes it
+    std::vector<int> layers;             // by state: the first of them
     std::vector<char> kept;              // by state: whether the filter does
     bool hasTilts = false;
   };

@@ -134,6 +134,7 @@ bool Wave::putNext(RayQueue& queue, int population, int members, int place) {
 void Wave::beginPath(int population, int place) {
   const int face = static_cast<int>(pool_->face[place]);
   pool_->pathState[place] = paths_.automaton(population).next(PathAutomaton::kStart, face);
+  if (paths_.record() != PathRecord::sequence) return;
   const PathCode::Words words = paths_.code(population).with({}, face, 0);
   pool_->pathFirst[place] = words.first;
   pool_->pathLast[place] = words.last;
@@ -185,8 +186,10 @@ void Wave::filter(int population) {
 void Wave::sortByLayer(const RayQueue& queue, int population) {
   exits_.layer.resize(static_cast<std::size_t>(exits_.count));
   if (!paths_.hasTilts(population)) {
-    for (int i = 0; i < exits_.count; ++i)
-      exits_.layer[static_cast<std::size_t>(i)] = paths_.layerOf(population, exits_.pathState[i], ~std::uint64_t{0});
+    const int* ofState = paths_.layersOf(population).data();
+    const double* state = exits_.pathState.data();
+    std::transform(state, state + exits_.count, exits_.layer.begin(),
+                   [ofState](double s) { return ofState[static_cast<int>(s)]; });
     return;
   }
   allowed_.resize(static_cast<std::size_t>(queue.count));
