@@ -121,14 +121,21 @@ double Camera::solidAngleOf(Vec2 lo, Vec2 hi) const {
 
 std::vector<double> Camera::solidAngles() const {
   std::vector<double> all(static_cast<std::size_t>(width()) * height());
-  for (int y = 0; y < height(); ++y) {
-    for (int x = 0; x < width(); ++x) {
-      const bool isOwn = x < ownColumns() && y < ownRows();
-      const std::size_t mirrored = static_cast<std::size_t>(std::min(y, height() - 1 - y)) * width() +
-                                   static_cast<std::size_t>(std::min(x, width() - 1 - x));
-      all[static_cast<std::size_t>(y) * width() + x] = isOwn ? solidAngle(x, y) : all[mirrored];
+  const auto rowAt = [&](int y) { return all.begin() + static_cast<std::ptrdiff_t>(y) * width(); };
+  for (int y = 0; y < ownRows(); ++y) {
+    const auto row = rowAt(y);
+    if (settings_.projection == Projection::equirectangular && !cutsHorizon()) {
+      const auto latitudes =
+          projections::Equirectangular::latitudes((y - centre_.y) / focal_, (y + 1.0 - centre_.y) / focal_);
+      for (int x = 0; x < ownColumns(); ++x)
+        row[x] = projections::Equirectangular::solidAngle(latitudes, (x - centre_.x) / focal_,
+                                                          (x + 1.0 - centre_.x) / focal_);
+    } else {
+      for (int x = 0; x < ownColumns(); ++x) row[x] = solidAngle(x, y);
     }
+    std::reverse_copy(row, row + (width() - ownColumns()), row + ownColumns());
   }
+  for (int y = ownRows(); y < height(); ++y) std::copy_n(rowAt(height() - 1 - y), width(), rowAt(y));
   return all;
 }
 

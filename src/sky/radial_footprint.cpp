@@ -105,6 +105,8 @@ RadialFootprint::RadialFootprint(const Camera& camera, const RadialSky& sky, int
       solidAngles_(camera.solidAngles()),
       share_(static_cast<std::size_t>(sky.bins()), 0.0) {
   if (camera_.settings().projection == Projection::equirectangular) grid_.emplace(camera_);
+  if (camera_.settings().projection == Projection::rectilinear && camera_.settings().distortion.none())
+    flatGrid_.emplace(camera_);
 }
 
 void RadialFootprint::setRow(int y) {
@@ -138,6 +140,7 @@ RadialFootprint::Point RadialFootprint::pointToward(const std::optional<Vec3>& s
 /// A corner or a centre of a pixel, at half of these coordinates.
 RadialFootprint::Point RadialFootprint::pointOnGrid(int twiceX, int twiceY) const {
   const Vec2 pixel = 0.5 * Vec2(twiceX, twiceY);
+  if (flatGrid_) return pointToward(flatGrid_->toSky(twiceX, twiceY), pixel);
   return grid_ ? pointToward(grid_->toSky(twiceX, twiceY), pixel) : pointAt(pixel);
 }
 

@@ -6,6 +6,7 @@
 
 #include "math/conventions.h"
 #include "sky/camera.h"
+#include "sky/flat_grid.h"
 #include "sky/panorama_grid.h"
 #include "sky/radial_sky.h"
 
@@ -77,6 +78,7 @@ class RadialFootprint {
   bool cutsHorizon_;
   int columns_;
   std::optional<PanoramaGrid> grid_;
+  std::optional<FlatGrid> flatGrid_;
   std::vector<double> solidAngles_;  // of all pixels
   int row_ = -1;
   std::vector<Point> upper_, lower_;  // corners of the row's pixels

@@ -161,11 +161,8 @@ void RadialSky::spread(std::span<const Spreading> all) {
         for (std::size_t i = 0; i < lit.size(); ++i) {
           const SumLine sums = densities[i].over(footprint);
           Tally& tally = *lit[i].tally;
-          for (int slot = 0; slot < tally.slots(); ++slot) {
-            const std::int64_t sum = sums.place[static_cast<std::size_t>(slot)];
-            tally.setRaw(left + x, slot, sum);
-            if (folds) tally.setRaw(left + mirrored, slot, sum);
-          }
+          tally.setRaw(left + x, sums);
+          if (folds) tally.setRaw(left + mirrored, sums);
         }
       }
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
@@ -145,6 +146,9 @@ class Tally : public TallySlots {
   }
   void setRaw(int pixel, int slot, std::int64_t value) {
     at(static_cast<std::size_t>(pixel) * stride_ + static_cast<std::size_t>(slot)) = value;
+  }
+  void setRaw(int pixel, const SumLine& sums) {
+    std::copy_n(sums.place.begin(), slots(), &at(static_cast<std::size_t>(pixel) * stride_));
   }
 
  private:

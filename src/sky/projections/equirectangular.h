@@ -34,13 +34,22 @@ struct Equirectangular : OrdinaryPicture {
     return Vec3(cosLat * sinLon, sinLat, cosLat * cosLon);
   }
 
-  static double rectangle(Vec2 lo, Vec2 hi) {
-    const double longitudes = std::min(hi.x, kPi) - std::max(lo.x, -kPi);
-    const double south = std::max(lo.y, -0.5 * kPi), north = std::min(hi.y, 0.5 * kPi);
-    if (longitudes <= 0.0 || north <= south) return 0.0;
+  /// What the latitudes of a rectangle bring to its solid angle, and what its longitudes make of it.
+  struct Latitudes {
+    double cosine, sine;
+    bool any;
+  };
+  static Latitudes latitudes(double lo, double hi) {
+    const double south = std::max(lo, -0.5 * kPi), north = std::min(hi, 0.5 * kPi);
     // sin(north) - sin(south) without cancellation
-    return longitudes * 2.0 * portable::cos(0.5 * (north + south)) * portable::sin(0.5 * (north - south));
+    return {portable::cos(0.5 * (north + south)), portable::sin(0.5 * (north - south)), north > south};
   }
+  static double solidAngle(const Latitudes& latitudes, double lo, double hi) {
+    const double longitudes = std::min(hi, kPi) - std::max(lo, -kPi);
+    return longitudes > 0.0 && latitudes.any ? longitudes * 2.0 * latitudes.cosine * latitudes.sine : 0.0;
+  }
+
+  static double rectangle(Vec2 lo, Vec2 hi) { return solidAngle(latitudes(lo.y, hi.y), lo.x, hi.x); }
 };
 
 }  // namespace parhelion::projections
