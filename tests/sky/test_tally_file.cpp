@@ -98,6 +98,31 @@ TEST_CASE("a file of sums has room for the numbers of 64 layers beside those of 
   });
 }
 
+TEST_CASE("parts of zeros of several sizes, between others, come back from a file of sums") {
+  const TemporaryDirectory directory;
+  const std::vector<SumsPart> parts{
+      {"a", 50, 40}, {"zero", 50, 40}, {"long", 90, 3}, {"empty", 90, 3}, {"none", 50, 40}};
+  const auto valueAt = [](std::size_t part, std::size_t i) {
+    return part % 2 == 1 || part == 4 ? 0 : static_cast<std::int64_t>(i * i + part) << 30;
+  };
+  writeSumsExr(directory / "t.exr", {}, parts,
+               [&](std::size_t part, std::size_t first, std::span<std::int64_t> values) {
+                 for (std::size_t i = 0; i < values.size(); ++i) values[i] = valueAt(part, first + i);
+               });
+  SumsExr file(directory / "t.exr");
+  REQUIRE(file.parts().size() == parts.size());
+  for (std::size_t place = 0; place < parts.size(); ++place) {
+    const auto of = std::ranges::find(parts, file.parts()[place].name, &SumsPart::name) - parts.begin();
+    std::size_t count = 0;
+    file.read(place, [&](std::size_t first, std::span<const std::int64_t> values) {
+      for (std::size_t i = 0; i < values.size(); ++i)
+        CHECK(values[i] == valueAt(static_cast<std::size_t>(of), first + i));
+      count += values.size();
+    });
+    CHECK(count == parts[static_cast<std::size_t>(of)].size());
+  }
+}
+
 TEST_CASE("sums that no run makes are refused, though their checksums fit") {
   constexpr std::int64_t kLeast = std::numeric_limits<std::int64_t>::min();
   for (const TallySymmetry symmetry : kAll) {
