@@ -51,7 +51,8 @@ double LightTable::meanOf(const std::vector<double>& columns) const {
 }
 
 void LightTable::prepare(double zeta0, double zeta1) {
-  const auto first = between(placeOf(zeta0), rows_).row, last = between(placeOf(zeta1), rows_).row + 1;
+  const auto first = std::max<std::size_t>(between(placeOf(zeta0), rows_).row, 1) - 1,
+             last = std::min(between(placeOf(zeta1), rows_).row + 2, table_.size() - 1);
   std::vector<int> missing;
   for (std::size_t row = first; row <= last; ++row)
     if (!table_[row].traced) missing.push_back(static_cast<int>(row));
@@ -122,12 +123,13 @@ std::vector<double> LightTable::partsOf(double index) const {
   return parts;
 }
 
-PARHELION_ALSO_AVX2 bool LightTable::lightAt(double zeta, int number, const std::vector<double>& parts,
+PARHELION_ALSO_AVX2 bool LightTable::lightAt(double zeta, int number, const std::vector<double>& parts, int stride,
                                              double* light) const {
-  const auto [row, t] = between(placeOf(zeta), rows_);
+  const auto [step, t] = between(placeOf(zeta) / stride, rows_ / stride);
   const std::size_t indices = indices_.size(), room = static_cast<std::size_t>(room_);
   bool any = false;
-  for (const std::size_t side : {row, row + 1}) {
+  const auto row = step * static_cast<std::size_t>(stride);
+  for (const std::size_t side : {row, row + static_cast<std::size_t>(stride)}) {
     const Row& from = table_[side];
     const short slot = from.slot[static_cast<std::size_t>(number)];
     const double weight = side == row ? 1.0 - t : t;

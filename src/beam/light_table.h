@@ -41,7 +41,7 @@ class LightTable {
   /// Where among the rows an angle from -c lies.
   double placeOf(double zeta) const { return zeta * (2.0 / kPi) * rows_; }
 
-  /// Traces all rows between two angles that are not traced yet, in parallel.
+  /// Traces all rows between two angles that are not traced yet, in parallel, and one more at either end.
   void prepare(double zeta0, double zeta1);
 
   /// Numbers of the classes (LightClass) that have light in any row that was traced.
@@ -51,8 +51,9 @@ class LightTable {
   std::vector<double> partsOf(double index) const;
 
   /// The light that meets a class's exit at each node of an angle, which must have been prepared; per surface, in units
-  /// of mean shadows. Returns false, and leaves `light` as it is, where there is none.
-  bool lightAt(double zeta, int number, const std::vector<double>& parts, double* light) const;
+  /// of mean shadows. It is linear between rows, of which only each `stride`-th is looked at. Returns false, and leaves
+  /// `light` as it is, where there is none.
+  bool lightAt(double zeta, int number, const std::vector<double>& parts, int stride, double* light) const;
 
   /// What crystals intercept at that angle, and what was cut off: the means over the azimuths.
   struct Totals {

@@ -166,7 +166,7 @@ SheetTotals OrientationSheet::add(const SheetPoint& point, PixelFilm& film) {
 }
 
 PARHELION_ALSO_AVX2 void OrientationSheet::see(const Frame& frame, int number, Nodes& nodes) {
-  nodes.dark = !table_.lightAt(frame.zeta, number, parts_, nodes.light.data());
+  nodes.dark = !table_.lightAt(frame.zeta, number, parts_, 1, nodes.light.data());
   if (nodes.dark) return;
   const LightClass of(number);
   const RelativeIndexOf<Four> index(all<Four>(point_.index));

@@ -6,6 +6,7 @@
 
 #include "beam/light_table.h"
 #include "beam/pixel_film.h"
+#include "beam/sheet_totals.h"
 #include "sky/lens.h"
 
 namespace parhelion {
@@ -27,17 +28,6 @@ struct SheetMesh {
   bool hasEdge = false;  // the projection goes on smoothly beyond what the camera sees
   double widest = -2.0;  // cosine of the largest angle from the camera's axis that the picture shows; -2: all
   bool coarse = true;    // the film's fourth sum is wanted
-};
-
-/// Of one sheet's light: what crystals intercept, what goes straight on, and what was cut off; per surface.
-struct SheetTotals {
-  double intercepted = 0.0, undeviated = 0.0, cutOff = 0.0;
-
-  void add(const SheetTotals& other, double factor) {
-    intercepted += factor * other.intercepted;
-    undeviated += factor * other.undeviated;
-    cutOff += factor * other.cutOff;
-  }
 };
 
 /// Puts the light of a sheet of orientations into a picture. The sheet is a mesh of triangles, by the azimuth of c and

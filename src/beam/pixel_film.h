@@ -3,15 +3,11 @@
 
 #include <vector>
 
+#include "beam/triangle_cells.h"
 #include "math/aligned_vector.h"
 #include "math/lanes.h"
 
 namespace parhelion {
-
-/// A place in the picture, pixel coordinates, and light there.
-struct LitPlace {
-  double x, y, light;
-};
 
 /// Light in the pixels of a picture, added in triangles and lines. Each pixel has four sums, which a deposit adds to in
 /// proportion to four numbers.

@@ -64,7 +64,10 @@ void PrismTracer::trace(const Vec3& lightDir, PrismLight& light) {
   const double least = cutShare_ * light.totalShadow();
   for (int face = 0; face < kPrismFaces; ++face) {
     const double goesIn = light.shadow[face] * (1.0 - light.reflectance[face]);
-    if (!(goesIn > 0.0)) continue;
+    if (!(goesIn > 0.0)) {
+      for (auto& exits : light.arrived[face]) exits.fill(0.0);
+      continue;
+    }
     const Vec3 normal = normalOf(face);
     const double cosine = -glm::dot(normal, lightDir);
     goesIn_ = goesIn;

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <memory>
 
-#include "beam/tilt_bands.h"
+#include "beam/tilt_integral.h"
 #include "parallel/loops.h"
 
 namespace parhelion {
@@ -15,22 +15,14 @@ namespace {
 // Sheets come in groups, each of which is spread evenly by itself. By how much groups differ, their mean errs.
 constexpr int kGroups = 8;
 // The first mesh: cells for 30 degrees of azimuth, and for 90 of the angle from -c.
-constexpr int kColumns = 40, kRows = 120, kMostLevel = 4, kMostBandLevel = 2;
+constexpr int kColumns = 40, kRows = 120, kMostLevel = 4;
 constexpr int kMostPoints = 1 << 12;  // a group
 // What a mesh of half as many cells differs by, times this, is the error.
-constexpr double kOfMesh = 0.6, kOfBands = 0.8, kOfBandsBefore = 0.6;
+constexpr double kOfMesh = 0.6;
 
 // Light is faint if it is less than this, times the accuracy, of what a pixel has on average; and how much light the
 // picture has, more or less, of crystals' surface.
 constexpr double kFaint = 0.2, kInPicture = 0.15;
-
-// Half the variance of what cells of a pixel's size blur: boxes and what lies linearly between them.
-constexpr double kBlur = 0.17;
-// Bands, rings and cells over the size of a pixel, their least size, and that of a pixel (rad), below which cells
-// would be too many; how far bands reach beyond the angles that there are, and the end of
-// the distribution of tilts.
-constexpr double kOfPixel = 0.5, kSmallestCell = 0.0015, kLargestCell = 0.004, kSmallestPixel = 0.0017, kBeyond = 0.03,
-                 kLeast = 1e-9;
 
 /// Numbers in (0, 1), evenly spread in each dimension and together: additive, by powers of the inverse of the root of
 /// x^(d + 1) = x + 1 (Roberts 2018, the R sequence), with a start of its own for each group.
@@ -73,12 +65,8 @@ class Integration {
       : scene_(scene),
         accuracy_(accuracy),
         lens_(camera.lens()),
-        pixel_(1.0 / camera.focalLength()),
-        bands_(!scene.oneTilt && pixel_ > kSmallestPixel),
-        single_((scene.oneTilt || bands_) && scene.onePoint && scene.oneColour),
-        groups_(single_ ? 1 : kGroups) {
-    if (bands_) directions_ = std::make_unique<PixelDirections>(camera);
-  }
+        single_(scene.oneTilt && scene.onePoint && scene.oneColour),
+        groups_(single_ ? 1 : kGroups) {}
 
   SkyIntegral run() {
     start(0);
@@ -92,7 +80,7 @@ class Integration {
       }
       // Whichever is in the way most is made better.
       if (single_ || (mesh_ > outer_ && mesh_ > 0.5 * goal)) {
-        if (level_ == (bands_ ? kMostBandLevel : kMostLevel)) break;
+        if (level_ == kMostLevel) break;
         const int points = std::max(1, points_ / 2);
         // Of a single sheet the last mesh has half as many cells as the next.
         if (single_) {
@@ -144,12 +132,6 @@ class Integration {
                    accuracy_.widest,
                    previous_.empty()};
     forEach(groups_, [&](std::size_t group) {
-      if (bands_) {
-        const double size = cell();
-        TiltBands all(*table_, *directions_, scene_.tilt, {size, size, size, previous_.empty()});
-        for (const SheetPoint& point : sheets[group]) totals_[group].add(all.add(point, films_[group]), 1.0);
-        return;
-      }
       OrientationSheet sheet(*table_, lens_, mesh);
       for (const SheetPoint& point : sheets[group]) totals_[group].add(sheet.add(point, films_[group]), 1.0);
     });
@@ -157,27 +139,10 @@ class Integration {
     points_ = points;
   }
 
-  /// Size of bands, rings and cells, rad.
-  double cell() const {
-    return std::clamp(kOfPixel * pixel_, kSmallestCell, kLargestCell) / static_cast<double>(1 << level_);
-  }
-
-  /// Traces what a sheet needs, or all bands.
+  /// Traces what a sheet needs.
   void prepare(const SheetPoint& point) {
-    if (!bands_) {
-      const auto [least, most] = OrientationSheet::anglesAt(point.tilt, point.toSun);
-      return table_->prepare(least, most);
-    }
-    constexpr int kSteps = 64;
-    const double from = scene_.tilt(kLeast), to = scene_.tilt(1.0 - kLeast), step = (to - from) / kSteps;
-    const double beyond = kBeyond + 2.0 * cell() + step;
-    double first = 0.5 * kPi, last = 0.0;
-    for (int k = 0; k <= kSteps; ++k) {
-      const auto [least, most] = OrientationSheet::anglesAt(from + k * step, point.toSun);
-      first = std::min(first, least - beyond);
-      last = std::max(last, most + beyond);
-    }
-    table_->prepare(std::max(first, 0.0), std::min(last, 0.5 * kPi));
+    const auto [least, most] = OrientationSheet::anglesAt(point.tilt, point.toSun);
+    table_->prepare(least, most);
   }
 
   /// Light to a pixel, of one sheet, that does not matter to the accuracy.
@@ -193,10 +158,7 @@ class Integration {
     result_.xyz.resize(pixels);
     result_.variance.resize(pixels);
     std::vector<double> outer(pixels), mesh(pixels), light(pixels);
-    const double per = 1.0 / points_, count = static_cast<double>(groups_),
-                 ofMesh = !bands_             ? kOfMesh
-                          : previous_.empty() ? kOfBands
-                                              : kOfBandsBefore;
+    const double per = 1.0 / points_, count = static_cast<double>(groups_);
     const auto at = [&](std::size_t group, int x, int y) {
       const PixelFilm& film = films_[group];
       const std::size_t row = static_cast<std::size_t>(y) * static_cast<std::size_t>(width);
@@ -222,7 +184,7 @@ class Integration {
         light[i] = sum[1];
         outer[i] = groups_ > 1 ? squares / (count * (count - 1.0)) : 0.0;
         const double coarse = previous_.empty() ? sum[3] : previous_[i];
-        mesh[i] = ofMesh * ofMesh * (coarse - sum[1]) * (coarse - sum[1]);
+        mesh[i] = kOfMesh * kOfMesh * (coarse - sum[1]) * (coarse - sum[1]);
         result_.xyz[i] = {static_cast<float>(sum[0]), static_cast<float>(sum[1]), static_cast<float>(sum[2])};
       }
     });
@@ -246,18 +208,6 @@ class Integration {
           }
         o /= pixelsAsked;
         m = std::max(m / pixelsAsked, mesh[i]);
-        if (bands_) {
-          // Cells blur what is finer than they are.
-          const auto beside = [&](int dx, int dy) {
-            const int nx = std::clamp(x + dx, 0, width - 1), ny = std::clamp(y + dy, 0, height - 1);
-            return light[static_cast<std::size_t>(ny) * static_cast<std::size_t>(width) + static_cast<std::size_t>(nx)];
-          };
-          const double bend = beside(-1, 0) + beside(1, 0) + beside(0, -1) + beside(0, 1) - 4.0 * light[i];
-          const double narrow = std::min(directions_->solidAngle(i) / pixel_, pixel_);
-          const double ofPixel = std::min(cell() / std::max(narrow, 1e-9), 1.0),
-                       blurred = kBlur * ofPixel * ofPixel * bend;
-          m += blurred * blurred;
-        }
         result_.variance[i] = static_cast<float>(o + m);
         outerSum += std::sqrt(o);
         meshSum += std::sqrt(m);
@@ -274,12 +224,9 @@ class Integration {
   const AxisScene& scene_;
   SkyAccuracy accuracy_;
   Lens lens_;
-  double pixel_;  // rad, on the axis
-  bool bands_;    // all tilts together; else one after the other
   bool single_;
   std::size_t groups_;
   int level_ = 0, points_ = 0;
-  std::unique_ptr<PixelDirections> directions_;
   std::unique_ptr<LightTable> table_;
   std::vector<PixelFilm> films_;
   std::vector<double> previous_;  // Y of a single sheet at the last level
@@ -291,6 +238,7 @@ class Integration {
 }  // namespace
 
 SkyIntegral integrateSky(const AxisScene& scene, const SkyAccuracy& accuracy, const Camera& camera) {
+  if (isForTilts(scene, camera)) return integrateTilts(scene, accuracy, camera);
   return Integration(scene, accuracy, camera).run();
 }
 

@@ -6,15 +6,10 @@
 #include <vector>
 
 #include "beam/orientation_sheet.h"
+#include "beam/sun_points.h"
 #include "sky/camera.h"
 
 namespace parhelion {
-
-/// An index, and the colour of the light that meets it.
-struct IndexColour {
-  double index;
-  Tristimulus xyz;
-};
 
 /// Prisms whose c axes have a distribution of tilts, all azimuths and all rolls, under a sun. All functions take
 /// numbers in (0, 1), over which they are distributions.
@@ -24,6 +19,8 @@ struct AxisScene {
   std::function<double(double)> tilt;         // of c from the zenith, rad
   std::function<Vec3(double, double)> toSun;  // points of the disc: unit, world
   std::function<IndexColour(double)> light;   // means of colours are that of white light
+  std::vector<IndexColour> lines;             // all there is of it, each as likely; empty for continuous light
+  SunFace sun;
   bool oneTilt = false, onePoint = false, oneColour = false;
 };
 

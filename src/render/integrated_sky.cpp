@@ -232,6 +232,8 @@ class Sky {
       return Vec3(point.x, point.y, point.z);
     };
     axis.light = [&](double u) { return indices_.at(u); };
+    axis.lines = indices_.lines();
+    axis.sun = {sun_.toCentre(), 0.5 * sun_.diameter(), [&](double angle) { return sun_.radiance(angle); }};
     axis.oneTilt = zenith.kind == AngleQuantile::Kind::linear && zenith.width == 0.0;
     axis.onePoint = sun_.isPoint();
     axis.oneColour = indices_.isSingle();

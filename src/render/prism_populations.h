@@ -29,6 +29,9 @@ class IndexSampler {
 
   IndexColour at(double u) const;
 
+  /// All light there is, each of its lines as likely; empty if it is continuous.
+  const std::vector<IndexColour>& lines() const { return lines_; }
+
   /// All light has one index and one colour.
   bool isSingle() const { return lines_.size() == 1; }
 

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "beam/cosine_table.h"
+#include "beam/light_segments.h"
+#include "beam/light_table.h"
+#include "beam/sheet_totals.h"
+#include "beam/tristimulus.h"
+
+namespace parhelion {
+
+/// How finely orientations and the sky about the sun are cut up.
+struct BandMesh {
+  int bands = 0;           // of the angle between c and the sun, over a quarter turn
+  int cells = 0;           // over half a turn: rings about the sun, and cells along each
+  int first = 0, end = 0;  // rings that matter
+  double orders = 0.0;     // waves around a ring that matter, at most
+};
+
+/// What crystals do to light by the angle alpha between their c axes and the sun, all rolls alike.
+///
+/// Turning a crystal about the light turns its light around the sun, no more. So all that a band of alpha does is told
+/// by the sky about the sun for one azimuth of c about it; any distribution of these azimuths is a convolution along
+/// the rings. It is kept by cosines of the azimuth, where convolutions are products.
+class BandLight {
+ public:
+  /// Colours: X, Y, Z, and Y of a coarse mesh. Grey: the last and Y alone. The tables must outlive this; that of light
+  /// must be prepared for the bands that are asked for.
+  BandLight(const LightTable& table, const CosineTable& cosines, const BandMesh& mesh, bool colours,
+            const LightSegments& lights, const LightSegments& fewLights);
+  ~BandLight();
+
+  const BandMesh& mesh() const { return mesh_; }
+  int channels() const { return colours_ ? 4 : 2; }
+
+  /// Orders of each parity that a ring has.
+  int room(int ring) const { return rooms_[static_cast<std::size_t>(ring)]; }
+  /// Where its numbers begin: those of a channel by parity, channel after channel.
+  std::size_t placeOf(int ring) const { return places_[static_cast<std::size_t>(ring)]; }
+  std::size_t size() const { return places_.back(); }
+
+  /// Of one band, for crystals whose probability is 1.
+  struct Band {
+    AlignedVector<float> light;  // by ring
+    std::vector<bool> lit;       // rings
+    SheetTotals totals;          // of the mean light
+  };
+
+  /// Makes bands in parallel: all that `wanted` takes, from `first` on, as many as there is room for. Others become
+  /// dark.
+  void make(int first, const std::function<bool(int band)>& wanted, std::vector<Band>& to);
+
+ private:
+  struct Scratch;
+  template <int C>
+  class Room;
+  using Four = Lanes<4>::Real;
+  struct Row {
+    bool dark = true;
+    std::vector<double> light, density, excess, place, turn;  // place among the rings; azimuth about the sun, in cells
+  };
+  struct Corner {
+    double alpha, phi, light, density, excess, place, turn;
+  };
+  template <int C>
+  void make(int band, std::unique_ptr<Scratch>& scratch, Band& to) const;
+  void clear(Band& band) const;
+  void see(double alpha, double index, const std::vector<double>& parts, int number, int stride, Row& row) const;
+  /// A class of light in a band: what it does to light of each index at both ends of the band.
+  struct Ends {
+    int number;
+    double alphaA, alphaB;
+    std::vector<Row> a, b;
+  };
+  template <int C>
+  void addSegment(const Ends& ends, const LightSegments& lights, const LightSegments::Segment& segment, int step,
+                  Room<C>& room) const;
+  Corner exitAt(Corner corner, double index, int number) const;
+  template <int C>
+  void analyse(Room<C>& room, Band& to) const;
+
+  const LightTable& table_;
+  const CosineTable& cosines_;
+  BandMesh mesh_;
+  bool colours_;
+  LightSegments lights_, fewLights_;
+  std::vector<int> rooms_;
+  std::vector<std::size_t> places_;
+  std::vector<std::unique_ptr<Scratch>> scratch_;  // for pieces of work
+};
+
+}  // namespace parhelion

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "beam/pixel_directions.h"
+
+#include <glm/geometric.hpp>
+
+#include "parallel/loops.h"
+
+namespace parhelion {
+
+namespace {
+
+// Pixels whose corners are farther apart (rad) than this have each of their points looked up.
+constexpr double kWidePixel = 0.05;
+
+}  // namespace
+
+PixelDirections::PixelDirections(const Camera& camera)
+    : camera_(camera),
+      corners_(static_cast<std::size_t>(camera.width() + 1) * static_cast<std::size_t>(camera.height() + 1)),
+      solidAngles_(camera.solidAngles()) {
+  const auto width = static_cast<std::size_t>(camera.width()) + 1;
+  forRows(camera.height() + 1, [&](int y) {
+    for (std::size_t x = 0; x < width; ++x)
+      corners_[static_cast<std::size_t>(y) * width + x] =
+          camera.directionAt({static_cast<double>(x), static_cast<double>(y)}).value_or(Vec3(0.0));
+  });
+}
+
+bool PixelDirections::isWhole(int x, int y) const {
+  const Vec3 &a = corner(x, y), &b = corner(x + 1, y), &c = corner(x, y + 1), &d = corner(x + 1, y + 1);
+  for (const Vec3* one : {&a, &b, &c, &d})
+    if (*one == Vec3(0.0)) return false;
+  return glm::distance(a, d) < kWidePixel && glm::distance(b, c) < kWidePixel && camera_.seam() == 0.0;
+}
+
+Vec3 PixelDirections::within(int x, int y, double u, double v) const {
+  return (1.0 - v) * ((1.0 - u) * corner(x, y) + u * corner(x + 1, y)) +
+         v * ((1.0 - u) * corner(x, y + 1) + u * corner(x + 1, y + 1));
+}
+
+double PixelDirections::size(int x, int y) const { return glm::distance(corner(x, y), corner(x + 1, y + 1)); }
+
+}  // namespace parhelion

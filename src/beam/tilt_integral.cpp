@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "beam/tilt_integral.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include <glm/geometric.hpp>
+
+#include "beam/tilt_sky.h"
+#include "math/portable.h"
+#include "parallel/loops.h"
+
+namespace parhelion {
+
+namespace {
+
+// The first mesh: cells for 30 degrees of azimuth that light is traced at, parts of continuous light, rows of the sun's
+// disc. Cells over what the picture and the sun blur; their bounds, rad.
+constexpr int kColumns = 40, kLights = 4, kSunRows = 3, kMostLevel = 3;
+constexpr double kOfBlur = 0.7, kOfDisc = 0.6, kFinest = 0.0012, kCoarsest = 0.009;
+// Thickness of bands over half of what tilts are spread by, and at most over cells.
+constexpr double kOfSpread = 0.5, kThickest = 2.2;
+// What the first mesh errs by, more or less, and by how much less each of the next.
+constexpr double kFirstError = 0.018, kBetter = 1.6;
+// Each mesh has cells smaller than the last one by this.
+constexpr double kFiner = 1.5;
+// What the coarse mesh differs by, times this, is the error.
+constexpr double kOfCoarse = 0.3;
+// Bands that are made side by side.
+constexpr std::size_t kAtOnce = 8;
+
+double blurOf(const AxisScene& scene, const Camera& camera) {
+  return std::max(1.0 / camera.focalLength(), kOfDisc * scene.sun.radius);
+}
+
+class TiltIntegration {
+ public:
+  TiltIntegration(const AxisScene& scene, const SkyAccuracy& accuracy, const Camera& camera)
+      : scene_(scene), accuracy_(accuracy), camera_(camera), directions_(camera) {}
+
+  SkyIntegral run() {
+    const double levels = std::log(kFirstError / accuracy_.error) / std::log(kBetter);
+    for (level_ = static_cast<int>(std::clamp(levels, 0.0, double{kMostLevel}));; ++level_) {
+      integrate();
+      judge();
+      result_.reached = result_.error <= accuracy_.error;
+      if (result_.reached || level_ == kMostLevel || cell() <= kFinest) break;
+    }
+    return std::move(result_);
+  }
+
+ private:
+  void integrate() {
+    const double finer = std::pow(kFiner, level_), spread = 0.5 * std::abs(scene_.tilt(0.84) - scene_.tilt(0.16));
+    const double thick = std::clamp(kOfSpread * spread / finer, cell(), kThickest * cell());
+    BandMesh mesh;
+    mesh.bands = 2 * static_cast<int>(std::ceil(0.25 * kPi / thick));
+    mesh.cells = 4 * static_cast<int>(std::ceil(0.25 * kPi / cell()));
+    mesh.end = mesh.cells;
+    seenRings(mesh);
+    const CosineTable cosines(mesh.cells);
+    TiltSky sky(cosines, mesh, sunRows(scene_.sun, kSunRows + level_), scene_.tilt);
+    mesh.orders = sky.highestOrder();
+    const int columns = 2 * static_cast<int>(std::lround(0.5 * kColumns * finer));
+    LightTable table(scene_.prisms, scene_.indices, columns, mesh.bands, accuracy_.cutShare);
+    std::vector<int> bands;
+    for (int band = 0; band < mesh.bands; ++band)
+      if (sky.hasBand(band)) bands.push_back(band);
+    const double width = 0.5 * kPi / mesh.bands;
+    table.prepare(bands.front() * width, (bands.back() + 1) * width);
+    colours_ =
+        std::ranges::any_of(scene_.lines, [&](const IndexColour& line) { return line.xyz != scene_.lines[0].xyz; }) ||
+        scene_.lines.empty();
+    const int lights = kLights + 2 * level_;
+    BandLight light(table, cosines, mesh, colours_, lightsOf(lights), lightsOf(lights / 2));
+    sky.start(light);
+    std::vector<BandLight::Band> made(kAtOnce);
+    for (int first = bands.front(); first <= bands.back(); first += static_cast<int>(kAtOnce)) {
+      light.make(
+          first, [&](int band) { return sky.hasBand(band); }, made);
+      sky.add(light, first, made);
+    }
+    sky.expose(light, directions_, pixels_);
+    result_.totals = sky.totals();
+    result_.directions += table.directions();
+    result_.sheets += static_cast<long>(bands.size());
+  }
+
+  /// Size of rings and of cells along them, rad.
+  double cell() const {
+    const double first = std::min(kOfBlur * blurOf(scene_, camera_), kCoarsest);
+    return std::max(first / std::pow(kFiner, level_), kFinest);
+  }
+
+  /// Rings that the picture shows, and those beside them.
+  void seenRings(BandMesh& mesh) const {
+    double least = kPi, most = 0.0, largest = 0.0;
+    bool broken = false;
+    for (int y = 0; y < camera_.height(); ++y)
+      for (int x = 0; x < camera_.width(); ++x) {
+        const std::size_t pixel =
+            static_cast<std::size_t>(y) * static_cast<std::size_t>(camera_.width()) + static_cast<std::size_t>(x);
+        if (directions_.solidAngle(pixel) <= 0.0) continue;
+        const auto middle = camera_.directionAt({x + 0.5, y + 0.5});
+        if (!middle || !directions_.isWhole(x, y)) broken = true;
+        if (!middle) continue;
+        const double onto = std::clamp(glm::dot(*middle, scene_.sun.toCentre), -1.0, 1.0), theta = std::acos(onto);
+        least = std::min(least, theta);
+        most = std::max(most, theta);
+        largest = std::max(largest, std::sqrt(directions_.solidAngle(pixel)));
+      }
+    const double beyond = largest + 1.5 * scene_.sun.radius + (broken ? 0.1 : 0.0);
+    const double perAngle = mesh.cells / kPi;
+    mesh.first = std::clamp(static_cast<int>((least - beyond) * perAngle) - 3, 0, mesh.cells - 2);
+    mesh.end = std::clamp(static_cast<int>((most + beyond) * perAngle) + 4, mesh.first + 2, mesh.cells);
+  }
+
+  /// All lines if there are any, else all light in as many parts.
+  LightSegments lightsOf(int count) const {
+    return scene_.lines.empty() ? LightSegments::of(scene_.light, static_cast<std::size_t>(count))
+                                : LightSegments::ofLines(scene_.lines);
+  }
+
+  void judge() {
+    const int width = camera_.width(), height = camera_.height();
+    result_.xyz.resize(pixels_.size());
+    result_.variance.resize(pixels_.size());
+    const std::size_t coarse = colours_ ? 3 : 1, y0 = colours_ ? 1 : 0;
+    std::vector<double> errors(static_cast<std::size_t>(height)), light(static_cast<std::size_t>(height));
+    const auto indexOf = [&](int x, int y) {
+      return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+    };
+    const Tristimulus grey = scene_.lines.empty() ? Tristimulus{} : scene_.lines[0].xyz;
+    forRows(height, [&](int y) {
+      for (int x = 0; x < width; ++x) {
+        // What a pixel's own sums say of its error is itself uncertain: its neighbours are asked, too.
+        double most = 0.0;
+        for (int dy = -1; dy <= 1; ++dy)
+          for (int dx = -1; dx <= 1; ++dx) {
+            const int nx = x + dx, ny = y + dy;
+            if (nx < 0 || ny < 0 || nx >= width || ny >= height) continue;
+            const auto& pixel = pixels_[indexOf(nx, ny)];
+            const double off = static_cast<double>(pixel[coarse] - pixel[y0]);
+            most = std::max(most, off * off);
+          }
+        const std::size_t i = indexOf(x, y);
+        const double scale = colours_ ? 1.0 : grey[1];
+        const double variance = kOfCoarse * kOfCoarse * scale * scale * most;
+        result_.variance[i] = static_cast<float>(variance);
+        const auto& pixel = pixels_[i];
+        for (std::size_t c = 0; c < 3; ++c)
+          result_.xyz[i][c] =
+              colours_ ? pixel[c] : static_cast<float>(std::max(static_cast<double>(pixel[0]), 0.0) * grey[c]);
+        errors[static_cast<std::size_t>(y)] += std::sqrt(variance);
+        light[static_cast<std::size_t>(y)] += static_cast<double>(result_.xyz[i][1]);
+      }
+    });
+    double error = 0.0, all = 0.0;
+    for (std::size_t y = 0; y < errors.size(); ++y) {
+      error += errors[y];
+      all += light[y];
+    }
+    result_.error = all > 0.0 ? error / all : 0.0;
+  }
+
+  const AxisScene& scene_;
+  SkyAccuracy accuracy_;
+  const Camera& camera_;
+  PixelDirections directions_;
+  int level_ = 0;
+  bool colours_ = true;
+  std::vector<TiltSky::PixelLight> pixels_;
+  SkyIntegral result_;
+};
+
+}  // namespace
+
+bool isForTilts(const AxisScene& scene, const Camera& camera) {
+  const bool blurs = !scene.oneTilt || scene.sun.radius > 0.0;
+  return blurs && kOfBlur * blurOf(scene, camera) >= kFinest;
+}
+
+SkyIntegral integrateTilts(const AxisScene& scene, const SkyAccuracy& accuracy, const Camera& camera) {
+  return TiltIntegration(scene, accuracy, camera).run();
+}
+
+}  // namespace parhelion

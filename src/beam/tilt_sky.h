@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "beam/band_light.h"
+#include "beam/pixel_directions.h"
+#include "beam/sun_points.h"
+
+namespace parhelion {
+
+/// The sky of crystals whose c axes have any distribution of tilts, with all azimuths and rolls alike.
+///
+/// For each elevation of the sun, the crystals' azimuths about it have a distribution in each band of alpha. Its
+/// product with the light of the band, order by order, summed over all bands, is the sky about the sun.
+class TiltSky {
+ public:
+  /// `tilt` is the inverse of the distribution of tilts (rad).
+  TiltSky(const CosineTable& cosines, const BandMesh& mesh, std::vector<SunRow> rows,
+          const std::function<double(double)>& tilt);
+
+  /// Whether any crystals are in a band.
+  bool hasBand(int band) const { return reached_[static_cast<std::size_t>(band)]; }
+
+  /// The highest order that matters in any band.
+  double highestOrder() const { return highestOrder_; }
+
+  /// Starts anew, for light of this layout.
+  void start(const BandLight& light);
+
+  /// Adds the light of some bands, from `first` on, in their order.
+  void add(const BandLight& light, int first, const std::vector<BandLight::Band>& bands);
+
+  /// What all crystals do.
+  const SheetTotals& totals() const { return totals_; }
+
+  /// Light of a pixel: X, Y, Z, or Y alone as the first; the last is Y of the coarse mesh.
+  using PixelLight = std::array<float, 4>;
+
+  /// Takes the means of all pixels, times their solid angles.
+  void expose(const BandLight& light, const PixelDirections& directions, std::vector<PixelLight>& pixels);
+
+ private:
+  /// The crystals about one elevation of the sun.
+  struct Crystals {
+    SunRow sun;
+    std::vector<double> shares;   // by band
+    AlignedVector<float> orders;  // by band: fine, even and odd; coarse, even and odd
+    AlignedVector<float> sky;     // sums over bands, as bands have them
+    AlignedVector<float> cells;   // by ring and cell, four channels: light per solid angle
+  };
+  void distribute(const std::function<double(double)>& tilt, Crystals& crystals) const;
+  void findOrders(Crystals& crystals);
+  void synthesise(const BandLight& light, Crystals& crystals) const;
+
+  const CosineTable& cosines_;
+  BandMesh mesh_;
+  int room_;  // of all orders
+  std::vector<Crystals> crystals_;
+  std::vector<bool> reached_;
+  double highestOrder_ = 0.0;
+  SheetTotals totals_;
+};
+
+}  // namespace parhelion
