@@ -47,7 +47,8 @@ class BandLight::Room : public Scratch {
 
   Room(int cells, int first, int end)
       : cells_(cells),
-        width_(cells + 2 * kBeyond),
+        beyond_(std::min(kBeyond, cells)),
+        width_(cells + 2 * beyond_),
         first_(first),
         rows_(end - first),
         film_(static_cast<std::size_t>(width_) * static_cast<std::size_t>(rows_)),
@@ -71,7 +72,7 @@ class BandLight::Room : public Scratch {
     if (std::abs(mean) > 3.0 * half)
       for (double& t : turn) t = 2.0 * half - t;
     double least = std::min({turn[0], turn[1], turn[2]}), most = std::max({turn[0], turn[1], turn[2]});
-    if (least < -kBeyond || most > half + kBeyond) {
+    if (least < -beyond_ || most > half + beyond_) {
       for (double& t : turn) t = std::clamp(std::abs(t), 0.0, half);
       least = std::min({turn[0], turn[1], turn[2]});
       most = std::max({turn[0], turn[1], turn[2]});
@@ -79,16 +80,16 @@ class BandLight::Room : public Scratch {
     const double low = std::min({a.place, b.place, c.place}) - first_,
                  high = std::max({a.place, b.place, c.place}) - first_;
     if (!(high >= 0.0 && low < rows_)) return;
-    const int lastRow = std::min(static_cast<int>(high), rows_ - 1), from = static_cast<int>(least + kBeyond),
-              to = std::min(static_cast<int>(most + kBeyond), width_ - 1);
+    const int lastRow = std::min(static_cast<int>(high), rows_ - 1), from = static_cast<int>(least + beyond_),
+              to = std::min(static_cast<int>(most + beyond_), width_ - 1);
     for (int row = std::max(static_cast<int>(low), 0); row <= lastRow; ++row) {
       const auto r = static_cast<std::size_t>(row);
       from_[r] = std::min(from_[r], from);
       to_[r] = std::max(to_[r], to);
     }
     shareOverCells(
-        {turn[0] + kBeyond, a.place - first_, light[0]}, {turn[1] + kBeyond, b.place - first_, light[1]},
-        {turn[2] + kBeyond, c.place - first_, light[2]}, width_,
+        {turn[0] + beyond_, a.place - first_, light[0]}, {turn[1] + beyond_, b.place - first_, light[1]},
+        {turn[2] + beyond_, c.place - first_, light[2]}, width_,
         rows_, [&](int x, int y, double own) __attribute__((always_inline)) {
           film_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x)] +=
               static_cast<float>(own) * per;
@@ -125,7 +126,7 @@ class BandLight::Room : public Scratch {
         if (px > half) px = 2.0 * half - px;
         const double py = y + j * dy;
         if (!(py >= top && py < bottom && px >= 0.0)) continue;
-        const int column = std::min(static_cast<int>(px), cells_ - 1) + kBeyond;
+        const int column = std::min(static_cast<int>(px), cells_ - 1) + beyond_;
         const auto row = static_cast<std::size_t>(py - top);
         film_[row * static_cast<std::size_t>(width_) + static_cast<std::size_t>(column)] +=
             static_cast<float>(light + j * dLight) * per;
@@ -186,7 +187,7 @@ class BandLight::Room : public Scratch {
         light += s * (q.light + j * q.dLight - light);
         if (px > half) px = 2.0 * half - px;
         if (!(py >= top && py < bottom && px >= 0.0)) continue;
-        const int column = std::min(static_cast<int>(px), cells_ - 1) + kBeyond;
+        const int column = std::min(static_cast<int>(px), cells_ - 1) + beyond_;
         const auto row = static_cast<std::size_t>(py - top);
         film_[row * static_cast<std::size_t>(width_) + static_cast<std::size_t>(column)] +=
             static_cast<float>(light) * colours[which];
@@ -201,9 +202,9 @@ class BandLight::Room : public Scratch {
   void take(int row, std::vector<CosineTable::CellPair<C>>& pairs) {
     pairs.clear();
     const auto r = static_cast<std::size_t>(row);
-    Floats* const cells = film_.data() + r * static_cast<std::size_t>(width_) + kBeyond;
+    Floats* const cells = film_.data() + r * static_cast<std::size_t>(width_) + beyond_;
     if (to_[r] < from_[r]) return;
-    for (int k = 1; k <= kBeyond; ++k) {
+    for (int k = 1; k <= beyond_; ++k) {
       cells[k - 1] += cells[-k];
       cells[cells_ - k] += cells[cells_ - 1 + k];
     }
@@ -218,13 +219,13 @@ class BandLight::Room : public Scratch {
       }
       if (any != 0.0F) pairs.push_back(pair);
     }
-    std::fill(cells - kBeyond, cells + cells_ + kBeyond, Floats{});
+    std::fill(cells - beyond_, cells + cells_ + beyond_, Floats{});
     from_[r] = width_;
     to_[r] = -1;
   }
 
  private:
-  int cells_, width_, first_, rows_;
+  int cells_, beyond_, width_, first_, rows_;
   AlignedVector<Floats> film_;
   std::vector<int> from_, to_;  // cells of a row that have light
 };
@@ -238,8 +239,8 @@ BandLight::BandLight(const LightTable& table, const CosineTable& cosines, const 
       lights_(lights),
       fewLights_(fewLights),
       places_(1) {
-  for (int ring = 0; ring < mesh.cells; ++ring) {
-    const double sine = portable::sincos(std::clamp((ring + 0.5) / mesh.cells, 0.0, 1.0) * kPi).sin;
+  for (int ring = 0; ring < mesh.rings; ++ring) {
+    const double sine = portable::sincos(std::clamp((ring + 0.5) / mesh.rings, 0.0, 1.0) * kPi).sin;
     const double orders = std::min(kOrders * mesh.cells * sine + kMoreOrders, mesh.orders);
     rooms_.push_back(ring < mesh.first || ring >= mesh.end ? 0 : cosines.room(orders));
     places_.push_back(places_.back() + static_cast<std::size_t>(2 * channels() * rooms_.back()));
@@ -267,7 +268,7 @@ void BandLight::clear(Band& band) const {
   band.totals = {};
   if (band.lit.empty()) {
     band.light.assign(size(), 0.0F);
-    band.lit.assign(static_cast<std::size_t>(mesh_.cells), false);
+    band.lit.assign(static_cast<std::size_t>(mesh_.rings), false);
   }
   for (int ring = mesh_.first; ring < mesh_.end; ++ring) {
     if (!band.lit[static_cast<std::size_t>(ring)]) continue;
@@ -336,7 +337,7 @@ PARHELION_ALSO_AVX2 void BandLight::see(double alpha, double index, const std::v
   const LightClass of(number);
   const RelativeIndexOf<Four> relative(all<Four>(index));
   const auto [sin, cos] = portable::sincos(alpha);
-  const double perAngle = mesh_.cells / kPi;
+  const double ringsPerAngle = mesh_.rings / kPi, cellsPerAngle = mesh_.cells / kPi;
   for (std::size_t k = 0; k < size; k += 4) {
     const Four light = higher(load<Four>(&row.light[k]), Four{});
     const ClassExit<Four> exit =
@@ -347,8 +348,8 @@ PARHELION_ALSO_AVX2 void BandLight::see(double alpha, double index, const std::v
     store(&row.light[k], light);
     store(&row.density[k], Four(light * exit.transmittance));
     store(&row.excess[k], exit.excess);
-    store(&row.place[k], Four(perAngle * arctangent(Four(squareRoot(toward * toward + aside * aside)), onto)));
-    store(&row.turn[k], Four(perAngle * arctangent(aside, toward)));
+    store(&row.place[k], Four(ringsPerAngle * arctangent(Four(squareRoot(toward * toward + aside * aside)), onto)));
+    store(&row.turn[k], Four(cellsPerAngle * arctangent(aside, toward)));
   }
 }
 
@@ -361,7 +362,7 @@ BandLight::Corner BandLight::exitAt(Corner corner, double index, int number) con
   const double onto = sin * along - cos * upward, toward = -(cos * along + sin * upward);
   corner.density = corner.light * exit.transmittance;
   corner.excess = exit.excess;
-  corner.place = mesh_.cells / kPi * arctangent(std::sqrt(toward * toward + aside * aside), onto);
+  corner.place = mesh_.rings / kPi * arctangent(std::sqrt(toward * toward + aside * aside), onto);
   corner.turn = mesh_.cells / kPi * arctangent(aside, toward);
   return corner;
 }
@@ -369,7 +370,7 @@ BandLight::Corner BandLight::exitAt(Corner corner, double index, int number) con
 template <int C>
 void BandLight::addSegment(const Ends& ends, const LightSegments& lights, const LightSegments::Segment& segment,
                            int step, Room<C>& room) const {
-  const double share = 0.5 * step / table_.columns(), faint = kFaint / mesh_.cells;
+  const double share = 0.5 * step / table_.columns(), faint = kFaint / mesh_.rings;
   const bool isLine = segment.from == segment.to;
   std::array<typename Channels<C>::Floats, LightSegments::kColours> colours{};
   for (std::size_t j = 0; j < colours.size(); ++j) {

@@ -16,7 +16,8 @@ namespace parhelion {
 /// How finely orientations and the sky about the sun are cut up.
 struct BandMesh {
   int bands = 0;           // of the angle between c and the sun, over a quarter turn
-  int cells = 0;           // over half a turn: rings about the sun, and cells along each
+  int rings = 0;           // of the sky about the sun, over half a turn
+  int cells = 0;           // along each ring, over half a turn
   int first = 0, end = 0;  // rings that matter
   double orders = 0.0;     // waves around a ring that matter, at most
 };

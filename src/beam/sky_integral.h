@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <functional>
 #include <vector>
 
+#include "beam/light_segments.h"
 #include "beam/orientation_sheet.h"
 #include "beam/sun_points.h"
 #include "sky/camera.h"
@@ -22,6 +24,17 @@ struct AxisScene {
   std::vector<IndexColour> lines;             // all there is of it, each as likely; empty for continuous light
   SunFace sun;
   bool oneTilt = false, onePoint = false, oneColour = false;
+
+  /// Whether light of one place differs in more than its brightness from that of another.
+  bool hasColours() const {
+    return lines.empty() ||
+           std::ranges::any_of(lines, [&](const IndexColour& line) { return line.xyz != lines.front().xyz; });
+  }
+
+  /// All lines if there are any, else all light in so many parts.
+  LightSegments segments(int parts) const {
+    return lines.empty() ? LightSegments::of(light, static_cast<std::size_t>(parts)) : LightSegments::ofLines(lines);
+  }
 };
 
 /// How well it is to be integrated, and for which picture.

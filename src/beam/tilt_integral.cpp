@@ -17,16 +17,21 @@ namespace {
 
 // The first mesh: cells for 30 degrees of azimuth that light is traced at, parts of continuous light, rows of the sun's
 // disc. Cells over what the picture and the sun blur; their bounds, rad.
-constexpr int kColumns = 40, kLights = 4, kSunRows = 3, kMostLevel = 3;
-constexpr double kOfBlur = 0.7, kOfDisc = 0.6, kFinest = 0.0012, kCoarsest = 0.009;
-// Thickness of bands over half of what tilts are spread by, and at most over cells.
-constexpr double kOfSpread = 0.5, kThickest = 2.2;
+constexpr int kColumns = 40, kLights = 4, kFewestSunRows = 3, kMostLevel = 3;
+constexpr double kSunRows = 1.5;  // to a disc's radius in cells
+constexpr double kOfBlur = 0.7, kOfDisc = 0.6, kFinest = 0.0012, kCoarsest = 0.0045;
+// Thickness of bands over half of what tilts are spread by; at most over cells, and in rad.
+constexpr double kOfSpread = 0.5, kThickest = 2.2, kThickestBand = 0.0055;
 // What the first mesh errs by, more or less, and by how much less each of the next.
 constexpr double kFirstError = 0.018, kBetter = 1.6;
 // Each mesh has cells smaller than the last one by this.
 constexpr double kFiner = 1.5;
 // What the coarse mesh differs by, times this, is the error.
-constexpr double kOfCoarse = 0.3;
+constexpr double kOfCoarse = 0.35;
+// Waves that are left out leave ripples, of this share of the light beside them and of what pixels have on average.
+constexpr double kRipple = 1e-3, kFarRipple = 1e-5;
+// Pixels that are smaller than a cell may have as much of the difference between their neighbours' light as this.
+constexpr double kWithinCell = 0.25;
 // Bands that are made side by side.
 constexpr std::size_t kAtOnce = 8;
 
@@ -53,14 +58,15 @@ class TiltIntegration {
  private:
   void integrate() {
     const double finer = std::pow(kFiner, level_), spread = 0.5 * std::abs(scene_.tilt(0.84) - scene_.tilt(0.16));
-    const double thick = std::clamp(kOfSpread * spread / finer, cell(), kThickest * cell());
+    const double thick =
+        std::clamp(kOfSpread * spread / finer, cell(), std::max(std::min(kThickest * cell(), kThickestBand), cell()));
     BandMesh mesh;
     mesh.bands = 2 * static_cast<int>(std::ceil(0.25 * kPi / thick));
     mesh.cells = 4 * static_cast<int>(std::ceil(0.25 * kPi / cell()));
-    mesh.end = mesh.cells;
+    mesh.rings = mesh.end = mesh.cells;
     seenRings(mesh);
     const CosineTable cosines(mesh.cells);
-    TiltSky sky(cosines, mesh, sunRows(scene_.sun, kSunRows + level_), scene_.tilt);
+    TiltSky sky(cosines, mesh, sunRows(scene_.sun, sunRowsOf(mesh)), scene_.tilt);
     mesh.orders = sky.highestOrder();
     const int columns = 2 * static_cast<int>(std::lround(0.5 * kColumns * finer));
     LightTable table(scene_.prisms, scene_.indices, columns, mesh.bands, accuracy_.cutShare);
@@ -69,11 +75,9 @@ class TiltIntegration {
       if (sky.hasBand(band)) bands.push_back(band);
     const double width = 0.5 * kPi / mesh.bands;
     table.prepare(bands.front() * width, (bands.back() + 1) * width);
-    colours_ =
-        std::ranges::any_of(scene_.lines, [&](const IndexColour& line) { return line.xyz != scene_.lines[0].xyz; }) ||
-        scene_.lines.empty();
+    colours_ = scene_.hasColours();
     const int lights = kLights + 2 * level_;
-    BandLight light(table, cosines, mesh, colours_, lightsOf(lights), lightsOf(lights / 2));
+    BandLight light(table, cosines, mesh, colours_, scene_.segments(lights), scene_.segments(lights / 2));
     sky.start(light);
     std::vector<BandLight::Band> made(kAtOnce);
     for (int first = bands.front(); first <= bands.back(); first += static_cast<int>(kAtOnce)) {
@@ -85,6 +89,10 @@ class TiltIntegration {
     result_.totals = sky.totals();
     result_.directions += table.directions();
     result_.sheets += static_cast<long>(bands.size());
+  }
+
+  int sunRowsOf(const BandMesh& mesh) const {
+    return std::max(kFewestSunRows, static_cast<int>(std::ceil(kSunRows * scene_.sun.radius * mesh.cells / kPi)));
   }
 
   /// Size of rings and of cells along them, rad.
@@ -116,12 +124,6 @@ class TiltIntegration {
     mesh.end = std::clamp(static_cast<int>((most + beyond) * perAngle) + 4, mesh.first + 2, mesh.cells);
   }
 
-  /// All lines if there are any, else all light in as many parts.
-  LightSegments lightsOf(int count) const {
-    return scene_.lines.empty() ? LightSegments::of(scene_.light, static_cast<std::size_t>(count))
-                                : LightSegments::ofLines(scene_.lines);
-  }
-
   void judge() {
     const int width = camera_.width(), height = camera_.height();
     result_.xyz.resize(pixels_.size());
@@ -132,19 +134,30 @@ class TiltIntegration {
       return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
     };
     const Tristimulus grey = scene_.lines.empty() ? Tristimulus{} : scene_.lines[0].xyz;
+    double mean = 0.0;
+    for (const auto& pixel : pixels_) mean += static_cast<double>(pixel[y0]);
+    const double least = kFarRipple * mean / static_cast<double>(pixels_.size());
     forRows(height, [&](int y) {
       for (int x = 0; x < width; ++x) {
         // What a pixel's own sums say of its error is itself uncertain: its neighbours are asked, too.
-        double most = 0.0;
+        double most = least * least, lowest = 1e300, highest = 0.0;
         for (int dy = -1; dy <= 1; ++dy)
           for (int dx = -1; dx <= 1; ++dx) {
             const int nx = x + dx, ny = y + dy;
             if (nx < 0 || ny < 0 || nx >= width || ny >= height) continue;
             const auto& pixel = pixels_[indexOf(nx, ny)];
             const double off = static_cast<double>(pixel[coarse] - pixel[y0]);
-            most = std::max(most, off * off);
+            lowest = std::min(lowest, static_cast<double>(pixel[y0]));
+            highest = std::max(highest, static_cast<double>(pixel[y0]));
+            const double ripple = kRipple * static_cast<double>(pixel[y0]);
+            most = std::max(most, off * off + ripple * ripple);
           }
         const std::size_t i = indexOf(x, y);
+        if (std::sqrt(directions_.solidAngle(i)) < cell()) {
+          // Light is not told apart within a cell.
+          const double apart = kWithinCell * (highest - lowest);
+          most += apart * apart / (kOfCoarse * kOfCoarse);
+        }
         const double scale = colours_ ? 1.0 : grey[1];
         const double variance = kOfCoarse * kOfCoarse * scale * scale * most;
         result_.variance[i] = static_cast<float>(variance);

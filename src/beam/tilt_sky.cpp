@@ -28,8 +28,10 @@ constexpr double kFade = 0.7;
 // What cells blur is put back to second order: a band of angles, even light in it; two boxes and linear lookups along
 // the rings; a box and linear lookups across them.
 constexpr double kOfBand = 1.0 / 12.0, kAlong = 1.0 / 6.0, kAcross = 1.0 / 8.0;
+// Pixels wider than this (rad) are looked at by more points.
+constexpr double kWide = 0.03;
 // Points to a pixel's side: at most, in one that is not whole, beside the sun and in the one that the sun is in.
-constexpr int kManyPoints = 12, kBrokenPoints = 6, kBesideSun = 16, kAtSun = 64;
+constexpr int kManyPoints = 96, kBrokenPoints = 6, kBesideSun = 16, kAtSun = 64;
 
 double angle(const Vec3& a, const Vec3& b) { return portable::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)); }
 
@@ -305,8 +307,9 @@ void TiltSky::expose(const BandLight& light, const PixelDirections& directions, 
       const double size = whole ? directions.size(x, y) : std::sqrt(2.0 * solidAngle);
       int side = static_cast<int>(std::clamp(std::ceil(size / cell), 1.0, double{kManyPoints}));
       if (!whole) side = std::max(side, kBrokenPoints);
+      if (size > kWide) side = std::min(2 * side, kManyPoints);
       if (theta < 3.0 * size) side = std::max(side, kBesideSun);
-      if (theta < size) side = kAtSun;
+      if (theta < size) side = std::max(side, kAtSun);
       toSky.clear();
       parts.clear();
       double all = 0.0;

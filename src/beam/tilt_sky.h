@@ -16,7 +16,7 @@ namespace parhelion {
 /// product with the light of the band, order by order, summed over all bands, is the sky about the sun.
 class TiltSky {
  public:
-  /// `tilt` is the inverse of the distribution of tilts (rad).
+  /// `tilt` is the inverse of the distribution of tilts (rad). As many rings as cells.
   TiltSky(const CosineTable& cosines, const BandMesh& mesh, std::vector<SunRow> rows,
           const std::function<double(double)>& tilt);
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "beam/scatter_integral.h"
+#include "beam/ring_integral.h"
 #include "beam/sky_integral.h"
 #include "crystal/population.h"
 #include "optics/spectrum.h"
@@ -24,7 +24,7 @@ namespace {
 
 // Rings of randomly oriented crystals: so many to a pixel on the axis, within these bounds.
 constexpr double kRingsPerPixel = 4.0;
-constexpr int kFewestRings = 3600, kMostRings = 36000;
+constexpr int kFewestRings = 1440, kMostRings = 36000;
 // Points of the sun's disc that rings are widened by: distances from its centre, and angles of half a turn about it.
 constexpr int kDiscDistances = 12, kDiscAngles = 24;
 // Rays whose light the tally of rings is given, for its whole numbers.
@@ -80,22 +80,18 @@ Rings widened(const Rings& rings, const Sun& sun) {
 }
 
 /// The light of rings in the pixels.
-void spread(const Rings& rings, const TallyInfo& about, int colours, PopulationSky& sky) {
+std::vector<Tristimulus> spread(const std::vector<Tristimulus>& rings, const TallyInfo& about, int colours) {
   TallyInfo info = about;
   info.rays = {{0, static_cast<std::uint64_t>(kRays)}};
-  const RadialSky empty(info, info.toSun(), colours);
-  RadialSky radial = empty;
+  RadialSky radial(info, info.toSun(), colours);
   // Up to the edges of rings: light is even within each of those that it is given in.
-  const auto bins = static_cast<double>(rings.light.size());
-  std::vector<Tristimulus> light(rings.light.size() + 1);
-  std::vector<double> squares(rings.light.size() + 1);
-  for (std::size_t k = 0; k < rings.light.size(); ++k) {
-    for (std::size_t c = 0; c < 3; ++c) light[k + 1][c] = light[k][c] + rings.light[k][c];
-    squares[k + 1] = squares[k] + rings.error[k] * rings.error[k];
-  }
+  const auto bins = static_cast<double>(rings.size());
+  std::vector<Tristimulus> light(rings.size() + 1);
+  for (std::size_t k = 0; k < rings.size(); ++k)
+    for (std::size_t c = 0; c < 3; ++c) light[k + 1][c] = light[k][c] + rings[k][c];
   const auto upTo = [&](double angle, const auto& value) {
     const double place = std::clamp(angle / kPi * bins, 0.0, bins);
-    const auto cell = std::min(static_cast<std::size_t>(place), rings.light.size() - 1);
+    const auto cell = std::min(static_cast<std::size_t>(place), rings.size() - 1);
     const double t = place - static_cast<double>(cell);
     return (1.0 - t) * value(cell) + t * value(cell + 1);
   };
@@ -114,21 +110,18 @@ void spread(const Rings& rings, const TallyInfo& about, int colours, PopulationS
     radial.setRaw(ring, TallySlots::kY, toFixed(y));
     radial.setRaw(ring, TallySlots::kFirstHalf, toFixed(0.5 * y));
     radial.setRaw(ring, TallySlots::kHits, y > 0.0 ? 1 : 0);
-    // Errors of neighbouring rings go together: a ring of a part of one has a part of its error.
-    const double error =
-        kRays * std::sqrt(within([&](std::size_t k) { return squares[k]; }) * std::min(1.0, (to - from) / kPi * bins));
-    radial.setRaw(ring, TallySlots::kSquares, toFixed(error * error, kSquareScale));
     if (colours == 1) continue;
     radial.setRaw(ring, TallySlots::kX, toFixed(white.x > 0.0 ? colour(0) / white.x : 0.0));
     radial.setRaw(ring, TallySlots::kZ, toFixed(white.z > 0.0 ? colour(2) / white.z : 0.0));
   }
   Tally tally(info, colours);
   radial.spreadOver(tally);
+  std::vector<Tristimulus> pixels;
   for (int pixel = 0; pixel < tally.pixels(); ++pixel) {
     const Vec3 xyz = colours == 1 ? Vec3(tally.luminance(pixel)) : tally.xyz(pixel);
-    sky.light.push_back({xyz.x / kRays, xyz.y / kRays, xyz.z / kRays});
-    sky.error.push_back(std::sqrt(tally.squares(pixel)) / kRays);
+    pixels.push_back({xyz.x / kRays, xyz.y / kRays, xyz.z / kRays});
   }
+  return pixels;
 }
 
 /// Cosine of the largest angle from the camera's axis that its picture shows; -2 where there is none.
@@ -197,35 +190,27 @@ class Sky {
   }
 
   PopulationSky randomSky(const PopulationSettings& population) const {
-    const ScatterScene prisms{PrismSection(), prismsOf(population), colouredIceLightOf(scene_)};
     const int bins = static_cast<int>(
         std::clamp(kPi * kRingsPerPixel * camera_.focalLength(), double{kFewestRings}, double{kMostRings}));
-    ScatterAccuracy accuracy;
-    accuracy.error = error_;
-    const ScatterIntegral integral = integrateScatter(prisms, accuracy, bins, 0.0, kPi);
-    // Of mean shadows, over the surface: a quarter, for a convex body (Cauchy).
-    const double intercepted = 0.25 * integral.totals.intercepted;
-    Rings rings;
-    for (std::size_t k = 0; k < integral.light.size(); ++k) {
-      rings.light.push_back(
-          {intercepted * integral.x[k], intercepted * integral.light[k], intercepted * integral.z[k]});
-      rings.error.push_back(intercepted * integral.error[k]);
-    }
+    const RingIntegral integral = integrateRings(axisScene(population), accuracy(), bins);
+    const Rings rings = widened({integral.light, integral.error}, sun_);
     PopulationSky sky;
-    spread(widened(rings, sun_), result_.info, colours_, sky);
-    sky.totals = {intercepted, intercepted * integral.totals.undeviated, intercepted * integral.totals.cutOff};
+    sky.light = spread(rings.light, result_.info, colours_);
+    // Errors of neighbouring rings go together.
+    std::vector<Tristimulus> errors;
+    for (const double error : rings.error) errors.push_back({error, error, error});
+    for (const Tristimulus& error : spread(errors, result_.info, 1)) sky.error.push_back(error[1]);
+    sky.totals = integral.totals;
     sky.directions = integral.directions;
     sky.reached = integral.reached;
     return sky;
   }
 
-  PopulationSky axisSky(const PopulationSettings& settings) const {
-    const Population population(settings);
-    const AngleQuantile& zenith = population.orientationQuantile().zenith;
+  /// All of a population but its tilts.
+  AxisScene axisScene(const PopulationSettings& settings) const {
     AxisScene axis;
     axis.prisms = prismsOf(settings);
     axis.indices = indices_.nodes();
-    axis.tilt = [&](double u) { return zenith.at(u); };
     axis.toSun = [&](double u1, double u2) {
       if (sun_.isPoint()) return sun_.toCentre();
       const Triple<double> point = sun_.disc().toPoint(u1, u2);
@@ -234,16 +219,28 @@ class Sky {
     axis.light = [&](double u) { return indices_.at(u); };
     axis.lines = indices_.lines();
     axis.sun = {sun_.toCentre(), 0.5 * sun_.diameter(), [&](double angle) { return sun_.radiance(angle); }};
-    axis.oneTilt = zenith.kind == AngleQuantile::Kind::linear && zenith.width == 0.0;
     axis.onePoint = sun_.isPoint();
     axis.oneColour = indices_.isSingle();
+    return axis;
+  }
+
+  SkyAccuracy accuracy() const {
     SkyAccuracy accuracy;
     accuracy.error = error_;
     accuracy.seed = scene_.trace.seed;
     accuracy.folds = camera_.isMirrorSymmetric() && sun_.toCentre().y == 0.0;
     accuracy.hasEdge = !isPanorama(camera_.settings().projection) && camera_.seam() == 0.0;
     accuracy.widest = widestOf(camera_);
-    const SkyIntegral integral = integrateSky(axis, accuracy, camera_);
+    return accuracy;
+  }
+
+  PopulationSky axisSky(const PopulationSettings& settings) const {
+    const Population population(settings);
+    const AngleQuantile& zenith = population.orientationQuantile().zenith;
+    AxisScene axis = axisScene(settings);
+    axis.tilt = [&](double u) { return zenith.at(u); };
+    axis.oneTilt = zenith.kind == AngleQuantile::Kind::linear && zenith.width == 0.0;
+    const SkyIntegral integral = integrateSky(axis, accuracy(), camera_);
     PopulationSky sky;
     for (std::size_t i = 0; i < integral.xyz.size(); ++i) {
       const auto& xyz = integral.xyz[i];

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "beam/ring_integral.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "beam/band_light.h"
+#include "math/portable.h"
+
+namespace parhelion {
+
+namespace {
+
+// The first mesh: bands, cells for 30 degrees of azimuth, parts of continuous light. Each next has more by this.
+constexpr int kBands = 240, kColumns = 40, kLights = 6, kMostLevel = 3;
+constexpr double kFiner = 1.5;
+// What the coarse mesh differs by, times this, is the error: on average over so many rings on each side, which together
+// are about as wide as a pixel.
+constexpr double kOfCoarse = 0.35;
+constexpr int kNear = 2;
+// Even light in a band is corrected to second order.
+constexpr double kOfBand = 1.0 / 12.0;
+constexpr std::size_t kAtOnce = 16;
+
+class RingIntegration {
+ public:
+  RingIntegration(const AxisScene& scene, const SkyAccuracy& accuracy, int rings)
+      : scene_(scene), accuracy_(accuracy), rings_(rings) {}
+
+  RingIntegral run() {
+    for (level_ = 0;; ++level_) {
+      integrate();
+      result_.reached = error() <= accuracy_.error;
+      if (result_.reached || level_ == kMostLevel) break;
+    }
+    return std::move(result_);
+  }
+
+ private:
+  void integrate() {
+    const double finer = std::pow(kFiner, level_);
+    const auto evenly = [&](int count) { return 2 * static_cast<int>(std::lround(0.5 * count * finer)); };
+    BandMesh mesh;
+    mesh.bands = evenly(kBands);
+    mesh.rings = mesh.end = rings_;
+    mesh.cells = 2;
+    const CosineTable cosines(mesh.cells);
+    LightTable table(scene_.prisms, scene_.indices, evenly(kColumns), mesh.bands, accuracy_.cutShare);
+    table.prepare(0.0, 0.5 * kPi);
+    const bool colours = scene_.hasColours();
+    const int lights = evenly(kLights);
+    BandLight light(table, cosines, mesh, colours, scene_.segments(lights), scene_.segments(lights / 2));
+    const double thick = 0.5 * kPi / mesh.bands;
+    const auto shareOf = [&](int band) { return portable::cos(band * thick) - portable::cos((band + 1) * thick); };
+    std::vector<std::array<double, 4>> sums(static_cast<std::size_t>(rings_));
+    result_.totals = {};
+    std::vector<BandLight::Band> made(kAtOnce);
+    for (int first = 0; first < mesh.bands; first += static_cast<int>(kAtOnce)) {
+      light.make(
+          first, [](int) { return true; }, made);
+      for (std::size_t k = 0; k < made.size() && first + static_cast<int>(k) < mesh.bands; ++k) {
+        const int band = first + static_cast<int>(k);
+        const double own = shareOf(band), pair = 0.5 * (own + shareOf(band ^ 1)),
+                     fine = own - kOfBand * (shareOf(band - 1) - 2.0 * own + shareOf(band + 1));
+        result_.totals.add(made[k].totals, own);
+        addBand(light, made[k], fine, pair, sums);
+      }
+    }
+    take(sums, colours);
+    result_.directions += table.directions();
+  }
+
+  void addBand(const BandLight& light, const BandLight::Band& band, double fine, double coarse,
+               std::vector<std::array<double, 4>>& sums) const {
+    const int channels = light.channels();
+    for (int ring = 0; ring < rings_; ++ring) {
+      const auto r = static_cast<std::size_t>(ring);
+      if (!band.lit[r]) continue;
+      // Of the cosines, that of order 0 is all light.
+      const float* const orders = band.light.data() + light.placeOf(ring);
+      for (int c = 0; c < channels; ++c) {
+        const double weight = c == channels - 1 ? coarse : fine;
+        sums[r][static_cast<std::size_t>(c)] += weight * static_cast<double>(orders[2 * c * light.room(ring)]);
+      }
+    }
+  }
+
+  void take(const std::vector<std::array<double, 4>>& sums, bool colours) {
+    const auto count = static_cast<std::size_t>(rings_);
+    const Tristimulus grey = colours ? Tristimulus{} : scene_.lines.front().xyz;
+    result_.light.resize(count);
+    result_.error.resize(count);
+    const auto off = [&](std::size_t ring) {
+      return colours ? sums[ring][3] - sums[ring][1] : grey[1] * (sums[ring][1] - sums[ring][0]);
+    };
+    for (std::size_t ring = 0; ring < count; ++ring) {
+      for (std::size_t c = 0; c < 3; ++c) result_.light[ring][c] = colours ? sums[ring][c] : grey[c] * sums[ring][0];
+      const std::size_t first = ring - std::min<std::size_t>(ring, kNear), end = std::min(count, ring + kNear + 1);
+      double sum = 0.0;
+      for (std::size_t near = first; near < end; ++near) sum += off(near);
+      result_.error[ring] = kOfCoarse * std::abs(sum) / static_cast<double>(end - first);
+    }
+  }
+
+  double error() const {
+    double errors = 0.0, light = 0.0;
+    for (std::size_t ring = 0; ring < result_.light.size(); ++ring) {
+      errors += result_.error[ring];
+      light += result_.light[ring][1];
+    }
+    return light > 0.0 ? errors / light : 0.0;
+  }
+
+  const AxisScene& scene_;
+  SkyAccuracy accuracy_;
+  int rings_, level_ = 0;
+  RingIntegral result_;
+};
+
+}  // namespace
+
+RingIntegral integrateRings(const AxisScene& scene, const SkyAccuracy& accuracy, int rings) {
+  return RingIntegration(scene, accuracy, rings).run();
+}
+
+}  // namespace parhelion
