@@ -153,7 +153,7 @@ class TiltIntegration {
             most = std::max(most, off * off + ripple * ripple);
           }
         const std::size_t i = indexOf(x, y);
-        if (std::sqrt(directions_.solidAngle(i)) < cell()) {
+        if (std::sqrt(2.0) * directions_.solidAngle(i) < cell() * directions_.size(x, y)) {
           // Light is not told apart within a cell.
           const double apart = kWithinCell * (highest - lowest);
           most += apart * apart / (kOfCoarse * kOfCoarse);
