@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "beam/pixel_directions.h"
 
+#include <algorithm>
+
 #include <glm/geometric.hpp>
 
 #include "parallel/loops.h"
@@ -39,5 +41,13 @@ Vec3 PixelDirections::within(int x, int y, double u, double v) const {
 }
 
 double PixelDirections::size(int x, int y) const { return glm::distance(corner(x, y), corner(x + 1, y + 1)); }
+
+double PixelDirections::width(int x, int y) const {
+  const Vec3 &a = corner(x, y), &b = corner(x + 1, y), &c = corner(x, y + 1), &d = corner(x + 1, y + 1);
+  const double longest = std::max({glm::distance(a, b), glm::distance(c, d), glm::distance(a, c), glm::distance(b, d)});
+  const std::size_t pixel =
+      static_cast<std::size_t>(y) * static_cast<std::size_t>(camera_.width()) + static_cast<std::size_t>(x);
+  return longest > 0.0 ? solidAngles_[pixel] / longest : 0.0;
+}
 
 }  // namespace parhelion

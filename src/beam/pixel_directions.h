@@ -26,6 +26,9 @@ class PixelDirections {
   /// The angle across a pixel's diagonal, rad.
   double size(int x, int y) const;
 
+  /// How narrow it is: its solid angle over the longest of its edges, rad.
+  double width(int x, int y) const;
+
  private:
   const Vec3& corner(int x, int y) const {
     return corners_[static_cast<std::size_t>(y) * static_cast<std::size_t>(camera_.width() + 1) +

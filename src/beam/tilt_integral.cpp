@@ -30,7 +30,7 @@ constexpr double kFiner = 1.5;
 constexpr double kOfCoarse = 0.35;
 // Waves that are left out leave ripples, of this share of the light beside them and of what pixels have on average.
 constexpr double kRipple = 1e-3, kFarRipple = 1e-5;
-// Pixels that are smaller than a cell may have as much of the difference between their neighbours' light as this.
+// Pixels that are narrower than a cell may have as much of the difference between their neighbours' light as this.
 constexpr double kWithinCell = 0.25;
 // Bands that are made side by side.
 constexpr std::size_t kAtOnce = 8;
@@ -153,7 +153,7 @@ class TiltIntegration {
             most = std::max(most, off * off + ripple * ripple);
           }
         const std::size_t i = indexOf(x, y);
-        if (std::sqrt(2.0) * directions_.solidAngle(i) < cell() * directions_.size(x, y)) {
+        if (directions_.width(x, y) < cell()) {
           // Light is not told apart within a cell.
           const double apart = kWithinCell * (highest - lowest);
           most += apart * apart / (kOfCoarse * kOfCoarse);

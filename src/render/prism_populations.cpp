@@ -91,25 +91,6 @@ std::vector<PrismShare> prismsOf(const PopulationSettings& settings) {
   return prisms;
 }
 
-IceLight colouredIceLightOf(const Scene& scene) {
-  const std::vector<IndexColour> lines = linesOf(scene);
-  if (lines.empty()) {
-    std::vector<double> indices;
-    std::vector<Tristimulus> colours;
-    const Spectrum spectrum(scene.sun.spectrum);
-    for (int k = 0; k <= kIndexNodes; ++k) {
-      const SpectralSample sample = spectrum.sample(std::min(static_cast<double>(k) / kIndexNodes, 1.0 - 1e-12));
-      indices.push_back(refractiveIndex(scene.ice, sample.wavelength));
-      colours.push_back(colourOf(sample));
-    }
-    return IceLight::continuous(indices, colours);
-  }
-  std::vector<IndexShare> shares;
-  for (const IndexColour& line : lines)
-    shares.push_back({line.index, 1.0 / static_cast<double>(lines.size()), line.xyz});
-  return IceLight(shares);
-}
-
 IndexSampler::IndexSampler(const Scene& scene) : lines_(linesOf(scene)) {
   if (!lines_.empty()) return;
   const Spectrum spectrum(scene.sun.spectrum);

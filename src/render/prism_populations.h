@@ -19,9 +19,6 @@ std::vector<PrismShare> prismsOf(const PopulationSettings& settings);
 /// The indices that a scene's light meets, by its energy as profiles count it.
 IceLight iceLightOf(const Scene& scene);
 
-/// The same with its colours, as pictures count it.
-IceLight colouredIceLightOf(const Scene& scene);
-
 /// Light by a number in (0, 1): its index and its colour.
 class IndexSampler {
  public:
