@@ -17,7 +17,7 @@ constexpr std::pair<std::string_view, void (*)(const RaysPlan&)> kParts[] = {
     {"engines", measureEngines}, {"error_by_time", measureErrorByTime},
     {"scaling", measureScaling}, {"ring_position", measureRingPosition},
     {"quality", measureQuality}, {"stages", measureStages},
-    {"embree", measureEmbree},
+    {"embree", measureEmbree},   {"integral", measureIntegral},
 };
 
 }  // namespace

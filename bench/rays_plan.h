@@ -22,6 +22,8 @@ struct RaysPlan {
 void measureEngines(const RaysPlan& plan);
 /// Error of the picture against the time of its rays.
 void measureErrorByTime(const RaysPlan& plan);
+/// Error of whole pictures against their time: rays, reconstructions, and pictures without rays.
+void measureIntegral(const RaysPlan& plan);
 /// Speed and memory against threads and picture size, and the ways in which threads may share a tally.
 void measureScaling(const RaysPlan& plan);
 /// Where the inner edge of the 22 degree ring is found, by the number of rays.

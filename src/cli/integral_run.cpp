@@ -5,24 +5,47 @@
 #include <string>
 
 #include "cli/commands.h"
+#include "cli/long_run_options.h"
 #include "cli/stats.h"
 #include "parallel/threads.h"
+#include "render/mixed_sky.h"
 #include "trace/trace_settings.h"
 
 namespace parhelion::cli {
 
 namespace {
 
-constexpr std::array kOfRays{"--rays",  "--seed",      "--sampler", "--time",       "--simd", "--symmetry",
-                             "--slice", "--ray-range", "--resume",  "--checkpoint", "--tally"};
+// The error of a picture when none is asked for.
+constexpr double kGoal = 0.01;
+
+constexpr std::array kOfRays{"--rays", "--seed", "--sampler", "--simd", "--symmetry"};
+constexpr std::array kOfLongRuns{"--time", "--slice", "--ray-range", "--resume", "--checkpoint", "--tally"};
 
 }  // namespace
 
-void refuseRayOptions(const CLI::App& command) {
-  for (const char* option : kOfRays) {
+bool isIntegrated(const Scene& scene) {
+  return scene.trace.engine == Engine::integral || scene.trace.engine == Engine::mixed;
+}
+
+void requireIntegrable(const Scene& scene) {
+  const bool mixed = scene.trace.engine == Engine::mixed;
+  const std::string objection = mixed ? objectionToMixedSky(scene) : objectionToIntegratedSky(scene);
+  if (objection.empty()) return;
+  throw Unfit("engine " + std::string(nameOf(scene.trace.engine)) + ": " + objection +
+              "; rays can do it, with another engine, such as auto" + (mixed ? "" : ", or mixed for the rest alone"));
+}
+
+double integralGoal(const std::string& error) { return error.empty() ? kGoal : errorGoalIn(error); }
+
+void refuseRayOptions(const CLI::App& command, bool someRays) {
+  const auto refuse = [&](const char* option, const char* why) {
     const CLI::Option* known = command.get_option_no_throw(option);
-    if (known && known->count() > 0) throw Unfit(option + std::string(": the integral engine follows no rays"));
-  }
+    if (known && known->count() > 0) throw Unfit(option + std::string(": ") + why);
+  };
+  for (const char* option : kOfLongRuns)
+    refuse(option, someRays ? "the engine mixed keeps no rays" : "the integral engine follows no rays");
+  if (!someRays)
+    for (const char* option : kOfRays) refuse(option, "the integral engine follows no rays");
 }
 
 nlohmann::ordered_json integralStats(double seconds, int threads, double cutOff) {

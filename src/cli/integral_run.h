@@ -1,15 +1,28 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <string>
+
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
+
+#include "scene/scene.h"
 
 namespace parhelion::cli {
 
 // What commands have in common that integrate light instead of following rays.
 
-/// Throws Unfit if an option was given that is about rays.
-void refuseRayOptions(const CLI::App& command);
+/// Whether a scene's picture is integrated, all of it or in part.
+bool isIntegrated(const Scene& scene);
+
+/// Throws Unfit if it cannot be as its engine has it.
+void requireIntegrable(const Scene& scene);
+
+/// The error that a picture is integrated to: as --error has it, or 1 %.
+double integralGoal(const std::string& error);
+
+/// Throws Unfit if an option was given that is about rays; where some are traced, about how they are kept and continued.
+void refuseRayOptions(const CLI::App& command, bool someRays = false);
 
 /// The figures of a run by the names that runs of rays have for them. `cutOff`: share of the light that was given up.
 nlohmann::ordered_json integralStats(double seconds, int threads, double cutOff);

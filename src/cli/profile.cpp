@@ -105,6 +105,8 @@ int runIntegral(const ProfileOptions& options, const CLI::App& command, const Sc
 int runProfile(const ProfileOptions& options, const CLI::App& command, Tracers& tracers) {
   const LoadedScene loaded = options.run.load();
   if (loaded.scene.trace.engine == Engine::integral) return runIntegral(options, command, loaded.scene);
+  if (loaded.scene.trace.engine == Engine::mixed)
+    throw Unfit("engine mixed: it makes pictures; profiles take rays, or the engine integral");
   if (!options.error.empty()) throw Unfit("--error: it is for --engine integral; rays take --rays or --time");
   const Cloud cloud = cloudByLight(loaded.scene);
   const TraceSettings settings = settingsOfMeasurement(cloud, loaded.scene.trace);

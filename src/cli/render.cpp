@@ -6,10 +6,12 @@
 #include "cli/picture.h"
 #include "cli/say.h"
 #include "cli/stats.h"
+#include "cli/trace_watch.h"
 #include "parallel/run_clock.h"
 #include "parallel/threads.h"
 #include "picture/memory_limit.h"
 #include "render/integrated_sky.h"
+#include "render/mixed_sky.h"
 #include "render/needs.h"
 #include "render/sky_files.h"
 #include "render/sky_sums.h"
@@ -62,8 +64,11 @@ class Development {
   std::uint64_t rays_ = 0;  // that it was made of
 };
 
-// Of a picture that is integrated, when none is asked for.
-constexpr double kIntegralError = 0.01;
+std::string listOf(const std::vector<std::string>& names) {
+  std::string list;
+  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
+  return list;
+}
 
 /// Where a picture's tally goes; empty for a picture that goes nowhere.
 std::filesystem::path tallyOf(const SkyFiles& files) {
@@ -72,37 +77,60 @@ std::filesystem::path tallyOf(const SkyFiles& files) {
   return tally.replace_extension(".tally.exr");
 }
 
-int renderIntegral(const RenderOptions& options, const CLI::App& command, const LoadedScene& loaded) {
-  refuseRayOptions(command);
-  if (const std::string objection = objectionToIntegratedSky(loaded.scene); !objection.empty())
-    throw Unfit("engine integral: " + objection + "; rays can do it, with another engine, such as auto");
+/// Renders without rays, or with rays for some populations alone.
+int renderSmooth(const RenderOptions& options, const CLI::App& command, LoadedScene loaded) {
+  const bool mixed = loaded.scene.trace.engine == Engine::mixed;
+  refuseRayOptions(command, mixed);
+  requireIntegrable(loaded.scene);
   const std::string& scene = options.run.scene;
   SkyFiles files = options.picture.files(scene);
   const SkySize size = skySizeOf(loaded.scene);
-  requireMemory("the picture", memoryToIntegrate(size));
+  const std::uint64_t integrating = memoryToIntegrate(size);
+  requireMemory("the picture",
+                mixed ? integrating + memoryToRender(size, loaded.scene.recon, options.run.threads) : integrating);
   Transaction outputs = claimOutputs({{scene},
                                       {files.exr, files.png, options.run.stats},
                                       {},
                                       {{files.exr, leastBytesOfPicture(size, loaded.scene.recon)}}},
                                      options.run.overwrite);
-  const double goal = options.longRun.error.empty() ? kIntegralError : options.longRun.goal();
+  const double goal = integralGoal(options.longRun.error);
+  loaded.error = goal;
   const RunClock clock;
-  IntegratedSky sky = withThreads(options.run.threads, [&] { return integrateSky(loaded, goal); });
+  const StopSignal stop;
+  MixedSky made;
+  if (mixed)
+    made = mixSky(loaded, goal, traceControl(options.run, &stop));
+  else
+    made.sky = withThreads(options.run.threads, [&] { return integrateSky(loaded, goal); });
+  if (made.report.interrupted) return kInterrupted;
+  IntegratedSky& sky = made.sky;
   const double seconds = clock.seconds();
   if (!options.run.quiet) {
-    say("%ld sheets of orientations from %ld directions in %.2f s: mean relative error %.2g", sky.sheets,
-        sky.directions, seconds, sky.error);
-    say("energy: in 1 = out %.9f + cut off %.3g", 1.0 - sky.cutOff, sky.cutOff);
+    if (sky.sheets + sky.directions > 0) {
+      say("%ld sheets of orientations from %ld directions in %.2f s: mean relative error %.2g", sky.sheets,
+          sky.directions, mixed ? made.secondsIntegrated : seconds, sky.error);
+      say("energy: in 1 = out %.9f + cut off %.3g", 1.0 - sky.cutOff, sky.cutOff);
+    }
+    if (!made.traced.empty() && made.tracedShare > 0.0)
+      say("rays for %.3g %% of the light in %.2f s: %s", 100.0 * made.tracedShare, made.secondsTraced,
+          listOf(made.traced).c_str());
   }
   if (!sky.reached) say("warning: the error asked for was not reached; the picture has its errors as they are");
   files.run = &outputs;
   const WrittenSky written = writeSkyFiles(files, std::move(sky.image), sky.info, loaded);
   if (!options.run.stats.empty()) {
     nlohmann::ordered_json json = integralStats(seconds, options.run.threads, sky.cutOff);
+    json["engine"] = nameOf(loaded.scene.trace.engine);
     json["directions"] = sky.directions;
     json["sheets"] = sky.sheets;
     json["error"] = sky.error;
     json["reached"] = sky.reached;
+    if (mixed) {
+      json["rays"] = sky.info.rayCount();
+      json["integrated"] = made.integrated;
+      json["traced"] = made.traced;
+      json["traced_light"] = made.tracedShare;
+    }
     writeJson(outputs.at(options.run.stats), json);
   }
   outputs.commit();
@@ -112,7 +140,7 @@ int renderIntegral(const RenderOptions& options, const CLI::App& command, const 
 
 int runRender(const RenderOptions& options, const CLI::App& command, Tracers& tracers) {
   const LoadedScene loaded = options.run.load();
-  if (loaded.scene.trace.engine == Engine::integral) return renderIntegral(options, command, loaded);
+  if (isIntegrated(loaded.scene)) return renderSmooth(options, command, loaded);
   const std::string& scene = options.run.scene;
   SkyFiles files = options.picture.files(scene);
   const Cloud cloud = cloudOf(loaded.scene);

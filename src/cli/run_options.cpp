@@ -142,10 +142,11 @@ LoadedScene RunOptions::load(const std::vector<std::string>& more) const {
   for (SceneOverride& one : overridesOf(more)) all.push_back(std::move(one));
   if (!sceneText_) sceneText_ = sceneTextOf(scene);
   LoadedScene loaded = parseSceneOf(scene, *sceneText_, all);
-  if (loaded.scene.trace.engine == Engine::integral && !mayIntegrate)
-    throw Unfit(
-        "engine integral: it makes pictures (render) and profiles; all else takes rays, with another engine, such as "
-        "auto");
+  const Engine chosen = loaded.scene.trace.engine;
+  if ((chosen == Engine::integral || chosen == Engine::mixed) && !mayIntegrate)
+    throw Unfit("engine " + std::string(nameOf(chosen)) +
+                ": it makes pictures (render) and profiles; all else takes rays, with another engine, such as "
+                "auto");
   return loaded;
 }
 

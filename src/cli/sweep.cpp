@@ -2,6 +2,8 @@
 #include <algorithm>
 
 #include "cli/commands.h"
+#include "cli/integral_run.h"
+#include "cli/long_run_options.h"
 #include "cli/number_options.h"
 #include "cli/outputs.h"
 #include "cli/picture.h"
@@ -22,7 +24,7 @@ namespace {
 struct SweepOptions {
   RunOptions run;
   std::vector<std::string> keys;
-  std::string output, contactSheet, gamut;
+  std::string output, contactSheet, gamut, error;
   std::optional<double> exposure;
   std::size_t first = 0;
   bool product = false;
@@ -73,7 +75,13 @@ void requireOutputsOf(const SweepOptions& options, const std::vector<SweepFrame>
     files.outputs.push_back(frame.png());
     const SkySize size = skySizeOf(frame.loaded.scene);
     if (!frame.lacks.empty()) files.leastBytes[frame.exr] = leastBytesOfPicture(size, frame.loaded.scene.recon);
-    requireMemory(frame.exr.string(), memoryToRender(size, frame.loaded.scene.recon, options.run.threads));
+    const Scene& scene = frame.loaded.scene;
+    requireMemory(frame.exr.string(), memoryToRender(size, scene.recon, options.run.threads) +
+                                          (isIntegrated(scene) ? memoryToIntegrate(size) : 0));
+    if (isIntegrated(scene))
+      requireIntegrable(scene);
+    else if (!options.error.empty())
+      throw Unfit("--error: it is for the engines integral and mixed; rays take trace.rays");
   }
   requireOutputs(files, options.run.overwrite);
 }
@@ -132,7 +140,11 @@ void reportWritten(const SweepOptions& options, const std::vector<SweepFrame>& f
 int runSweep(const SweepOptions& options) {
   const FrameNames names = frameNamesOf(options.output);
   const std::vector<std::vector<std::string>> values = valuesOf(options);
-  const FrameLoader load = [&](const std::vector<std::string>& own) { return options.run.load(own); };
+  const FrameLoader load = [&](const std::vector<std::string>& own) {
+    LoadedScene loaded = options.run.load(own);
+    if (isIntegrated(loaded.scene)) loaded.error = integralGoal(options.error);
+    return loaded;
+  };
   const std::vector<SweepFrame> frames =
       planFrames(values, load, names, options.first, gamutOf(options.gamut), options.run.overwrite);
   requireOutputsOf(options, frames);
@@ -148,6 +160,7 @@ int runSweep(const SweepOptions& options) {
 
 void addOptions(CLI::App& command, SweepOptions& options) {
   options.run.addTo(command, true);
+  options.run.mayIntegrate = true;
   command.remove_option(command.get_option("--stats"));
   command.get_option("--time")->description("Stop after this time; the same command goes on from there");
   command
@@ -169,6 +182,8 @@ void addOptions(CLI::App& command, SweepOptions& options) {
                   "Exposure of all previews; the median of what the frames would choose when left out")
       ->type_name("STOPS")
       ->transform(number(-100.0, 100.0));
+  addErrorGoal(command, options.error,
+               "With --engine integral or mixed: the mean relative error of each frame to aim at; 1% when left out");
   addGamut(command, options.gamut);
   command.add_option("--contact-sheet", options.contactSheet, "All frames small on one picture, with their values")
       ->type_name("FILE.png")

@@ -15,6 +15,9 @@ inline constexpr const char* kSoftware = "parhelion " PARHELION_VERSION;
 inline constexpr const char* kSceneKey = "parhelion:scene";
 inline constexpr const char* kStrengthKey = "parhelion:strength";
 
+/// Pictures that were integrated say to which error.
+inline constexpr const char* kErrorKey = "parhelion:error";
+
 /// Tallies alone have this attribute.
 inline constexpr const char* kTallyKey = "parhelion:tally";
 

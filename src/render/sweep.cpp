@@ -6,8 +6,10 @@
 #include <vector>
 
 #include "parallel/run_clock.h"
+#include "parallel/threads.h"
 #include "picture/auto_exposure.h"
 #include "picture/exr.h"
+#include "render/mixed_sky.h"
 #include "render/sky_files.h"
 #include "render/traced_sky.h"
 #include "view/contact_sheet.h"
@@ -19,16 +21,32 @@ namespace {
 // Files that wait for their names are open, and a process may have 1024.
 constexpr std::size_t kMostTogether = 256;
 
-/// Renders a frame as render does. None, and nothing is written, if it was stopped before all its rays were traced.
-std::optional<TraceReport> renderFrame(const SweepFrame& frame, const TraceControl& control) {
+/// Renders a frame as render does, and tells how far its energy is open, relative. None, and nothing is written, if it
+/// was stopped before all its rays were traced.
+std::optional<double> renderFrame(const SweepFrame& frame, const TraceControl& control) {
   Transaction run;
   run.claim(frame.exr);
-  const TracedSky traced = traceSky(frame.loaded, cloudOf(frame.loaded.scene), control);
+  const LoadedScene& loaded = frame.loaded;
+  const Engine engine = loaded.scene.trace.engine;
+  const auto write = [&](Image& image, const TallyInfo& info) {
+    writeSky(run.at(frame.exr), image, info, loaded, frame.gamut);
+    run.commit();
+  };
+  if (loaded.error) {
+    MixedSky made;
+    if (engine == Engine::mixed)
+      made = mixSky(loaded, *loaded.error, control);
+    else
+      made.sky = withThreads(control.threads, [&] { return integrateSky(loaded, *loaded.error); });
+    if (made.report.interrupted) return std::nullopt;
+    write(made.sky.image, made.sky.info);
+    return made.report.energy.imbalance();
+  }
+  const TracedSky traced = traceSky(loaded, cloudOf(loaded.scene), control);
   if (traced.report.interrupted) return std::nullopt;
-  ReconstructedSky sky = developSky(traced, frame.loaded, control.threads);
-  writeSky(run.at(frame.exr), sky.image, traced.tally.info(), frame.loaded, frame.gamut);
-  run.commit();
-  return traced.report;
+  ReconstructedSky sky = developSky(traced, loaded, control.threads);
+  write(sky.image, traced.tally.info());
+  return traced.report.energy.imbalance();
 }
 
 /// Median of the exposures that the frames would choose for themselves, of those that have light: a few frames that
@@ -71,9 +89,9 @@ SweepReport renderFrames(std::span<const SweepFrame> frames, const SweepControl&
     TraceControl one = control.trace;
     one.timeLimit -= clock.seconds();
     if ((one.stop && *one.stop) || one.timeLimit <= 0.0) return report;
-    const std::optional<TraceReport> traced = renderFrame(frames[i], one);
-    if (!traced) return report;
-    report.worstImbalance = std::max(report.worstImbalance, std::abs(traced->energy.imbalance()));
+    const std::optional<double> imbalance = renderFrame(frames[i], one);
+    if (!imbalance) return report;
+    report.worstImbalance = std::max(report.worstImbalance, std::abs(*imbalance));
     ++report.rendered;
     if (control.onFrame) control.onFrame(i, frameClock.seconds());
   }

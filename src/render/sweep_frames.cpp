@@ -5,6 +5,7 @@
 
 #include "picture/exr.h"
 #include "picture/picture_text.h"
+#include "render/mixed_sky.h"
 #include "render/own_pictures.h"
 #include "render/scene_attributes.h"
 
@@ -54,7 +55,7 @@ void requirePreview(const std::filesystem::path& png) {
 std::string lackOf(const std::filesystem::path& exr, const LoadedScene& loaded, Gamut gamut) {
   if (!std::filesystem::exists(exr)) return "not there yet";
   if (std::filesystem::is_regular_file(exr) && std::filesystem::file_size(exr) == 0) return "is empty";
-  const ExrAttributes found = pictureAttributes(exr), wanted = sceneAttributes(loaded, loaded.scene.trace.rays);
+  const ExrAttributes found = pictureAttributes(exr), wanted = sceneAttributes(loaded, raysOf(loaded.scene));
   Image image;
   try {
     image = readExr(exr).image;
@@ -67,6 +68,11 @@ std::string lackOf(const std::filesystem::path& exr, const LoadedScene& loaded, 
     const auto attribute = found.find(name);
     if (attribute == found.end() || attribute->second != wanted.at(name)) return std::string("has another ") + name;
   }
+  const auto errorIn = [](const ExrAttributes& attributes) {
+    const auto error = attributes.find(kErrorKey);
+    return error == attributes.end() ? std::string() : error->second;
+  };
+  if (errorIn(found) != errorIn(wanted)) return std::string("has another ") + kErrorKey;
   const auto written = found.find(kGamutKey);
   if ((written == found.end() ? nameOf(Gamut::exact) : written->second) != nameOf(gamut))
     return std::string("has another ") + kGamutKey;

@@ -27,7 +27,7 @@ struct SweepFrame {
   std::string valuesText() const;
 };
 
-/// Loads the scene of a frame by its values. Throws SceneError.
+/// Loads the scene of a frame by its values, with the error that it is integrated to if it is. Throws SceneError.
 using FrameLoader = std::function<LoadedScene(const std::vector<std::string>& values)>;
 
 /// The frames in order, numbered from `first`, each with its scene validated, and its file looked at if there is one.

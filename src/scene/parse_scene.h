@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -17,6 +18,7 @@ struct LoadedScene {
   Scene scene;
   std::string
       text;  // TOML that alone gives the same scene: the user's own text, or the source with the overrides in it
+  std::optional<double> error{};  // that its picture is integrated to, all of it or in part
 };
 
 /// The text of a scene, from a file or a pipe: one byte more than parseScene() takes at the most. Throws SceneError

@@ -48,6 +48,7 @@ inline Intersector makeIntersector(Engine engine, const CrystalMesh& mesh, Engin
     case Engine::planes:
       return PlanesIntersector(mesh);
     case Engine::integral:
+    case Engine::mixed:
       throw std::invalid_argument("the integral engine follows no rays");
     case Engine::automatic:
       break;

@@ -9,8 +9,9 @@
 namespace parhelion {
 
 /// What finds the next face of a crystal: Embree, or the planes of a convex crystal's faces. `automatic` takes the
-/// planes wherever the crystal is convex. `integral` follows no rays at all: see beam/.
-enum class Engine { embree, embreeRobust, planes, automatic, integral };
+/// planes wherever the crystal is convex. `integral` follows no rays at all: see beam/. `mixed` does so where it can,
+/// and is `automatic` for all other populations.
+enum class Engine { embree, embreeRobust, planes, automatic, integral, mixed };
 
 constexpr std::string_view nameOf(Engine value) {
   switch (value) {
@@ -24,6 +25,8 @@ constexpr std::string_view nameOf(Engine value) {
       return "auto";
     case Engine::integral:
       return "integral";
+    case Engine::mixed:
+      return "mixed";
   }
   return {};
 }

@@ -90,6 +90,14 @@ TEST_CASE("what cannot be integrated is one clear error, and writes nothing") {
                          {"render s.toml --engine integral --rays 1M -o o.exr", "--rays"},
                          {"render s.toml --engine integral --symmetry mirror -o o.exr", "--symmetry"},
                          {"render s.toml --engine integral --slice 1/2 -o o.exr", "--slice"},
+                         {"render s.toml --engine mixed --paths 3-5 -o o.exr", "raypaths"},
+                         {"render s.toml --engine mixed --resume t.exr -o o.exr", "--resume"},
+                         {"trace s.toml --engine mixed -o o.exr", "it makes pictures"},
+                         {"profile s.toml --engine mixed -o o.csv", "it makes pictures"},
+                         {"sweep s.toml sun.elevation=10,20 --error 5% -o f_%d.exr", "--error"},
+                         {"sweep s.toml sun.elevation=10,20 --engine integral -D population.short.orientation=parry -o "
+                          "f_%d.exr",
+                          "rolls"},
                          {"profile s.toml --engine integral -D population.short.orientation=plate -o o.csv", "short"},
                          {"profile s.toml --engine integral -D population.short.shape=pyramid -o o.csv", "short"},
                          {"profile s.toml --engine integral --paths 3-5 -o o.csv", "raypaths"},
@@ -120,4 +128,38 @@ TEST_CASE("a picture without rays has its errors, its scene and its figures") {
   CHECK(stats["rays"] == 0);
   CHECK(stats["reached"] == true);
   CHECK(stats["error"].get<double>() <= 0.1);
+}
+
+TEST_CASE("a picture takes rays for those populations alone that cannot be integrated") {
+  const WithPrisms folder;
+  const std::string command =
+      "parhelion render s.toml --engine mixed --error 20% --rays 200k --resolution 48x48 "
+      "-D population.short.orientation=parry -D population.short.tilt=1 -D population.short.roll=1 ";
+  const Outcome outcome = run(folder, command + "-o o.exr --stats t.json");
+  CHECK_MESSAGE(outcome.exit == 0, outcome.err);
+  CHECK(outcome.err.find("rays for") != std::string::npos);
+  const auto stats = nlohmann::json::parse(readFile(folder / "t.json"));
+  CHECK(stats["engine"] == "mixed");
+  CHECK(stats["integrated"] == std::vector<std::string>{"long"});
+  CHECK(stats["traced"] == std::vector<std::string>{"short"});
+  CHECK(stats["rays"] == 200000);
+  CHECK(stats["traced_light"].get<double>() > 0.3);
+  CHECK(stats["traced_light"].get<double>() < 0.9);
+}
+
+TEST_CASE("frames of a sweep are integrated once, and again where another error is asked for") {
+  const WithPrisms folder;
+  const std::string command =
+      "parhelion sweep s.toml sun.elevation=10,40 --engine integral --resolution 32x32 -o f_%d.exr --error ";
+  const Outcome first = run(folder, command + "20%");
+  CHECK_MESSAGE(first.exit == 0, first.err);
+  const Outcome same = run(folder, command + "20%");
+  CHECK(same.err.find("2 skipped, 0 to render") != std::string::npos);
+  const Outcome finer = run(folder, command + "10%");
+  CHECK(finer.err.find("0 skipped, 2 to render") != std::string::npos);
+  CHECK(finer.err.find("parhelion:error") != std::string::npos);
+  CHECK(run(folder,
+            "parhelion render s.toml -D sun.elevation=40 --engine integral --resolution 32x32 --error 10% -o "
+            "r.exr && cmp r.exr f_1.exr")
+            .exit == 0);
 }

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/mixed_sky.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "parallel/run_clock.h"
+#include "parallel/threads.h"
+#include "picture/image.h"
+#include "render/prism_populations.h"
+#include "render/sky_files.h"
+#include "render/traced_sky.h"
+#include "sky/radiance.h"
+
+namespace parhelion {
+
+namespace {
+
+bool isIntegrable(const PopulationSettings& population) { return objectionTo(population, false).empty(); }
+
+/// The scene with some of its populations alone.
+template <class Keep>
+LoadedScene onlyWith(const LoadedScene& loaded, const Keep& keep) {
+  LoadedScene part = loaded;
+  std::erase_if(part.scene.populations, [&](const PopulationSettings& one) { return !keep(one); });
+  part.scene.trace.engine = Engine::automatic;
+  return part;
+}
+
+bool hasLight(const LoadedScene& loaded) {
+  return std::ranges::any_of(loaded.scene.populations, [](const auto& one) { return one.weight > 0.0; });
+}
+
+/// a * image + b * other, channel by channel; squared factors for variances. Channels that one lacks are dark there.
+void mix(Image& image, float a, const Image& other, float b) {
+  for (Channel& channel : image.channels) {
+    const bool isVariance = channel.name == kVarianceChannel;
+    const float own = isVariance ? a * a : a, theirs = isVariance ? b * b : b;
+    const std::vector<float>* const from = other.find(channel.name);
+    for (std::size_t i = 0; i < channel.samples.size(); ++i)
+      channel.samples[i] = own * channel.samples[i] + (from ? theirs * (*from)[i] : 0.0F);
+  }
+}
+
+}  // namespace
+
+std::uint64_t raysOf(const Scene& scene) {
+  const auto isTraced = [](const PopulationSettings& one) { return one.weight > 0.0 && !isIntegrable(one); };
+  const bool integrated = scene.trace.engine == Engine::integral ||
+                          (scene.trace.engine == Engine::mixed && std::ranges::none_of(scene.populations, isTraced));
+  return integrated ? 0 : scene.trace.rays;
+}
+
+std::string objectionToMixedSky(const Scene& scene) {
+  if (scene.trace.paths.filter) return "light is filtered by its raypaths";
+  if (!scene.trace.paths.layers.empty()) return "light is told apart by layers";
+  return {};
+}
+
+MixedSky mixSky(const LoadedScene& loaded, double error, const TraceControl& control) {
+  if (const std::string objection = objectionToMixedSky(loaded.scene); !objection.empty())
+    throw std::invalid_argument(objection);
+  const LoadedScene smooth = onlyWith(loaded, isIntegrable),
+                    rough = onlyWith(loaded, [](const auto&one) { return !isIntegrable(one); });
+  MixedSky mixed;
+  for (const PopulationSettings& population : loaded.scene.populations)
+    (isIntegrable(population) ? mixed.integrated : mixed.traced).push_back(population.name);
+  if (hasLight(smooth)) {
+    const RunClock clock;
+    mixed.sky = withThreads(control.threads, [&] { return integrateSky(smooth, error); });
+    mixed.secondsIntegrated = clock.seconds();
+  }
+  if (!hasLight(rough)) return mixed;
+  const RunClock clock;
+  const Cloud all = cloudByLight(loaded.scene);
+  double traced = 0.0;
+  for (std::size_t k = 0; k < loaded.scene.populations.size(); ++k)
+    if (!isIntegrable(loaded.scene.populations[k])) traced += all.lightShares()[k];
+  const TracedSky rays = traceSky(rough, cloudOf(rough.scene), control);
+  mixed.report = rays.report;
+  if (rays.report.interrupted) return mixed;
+  ReconstructedSky sky = developSky(rays, rough, control.threads);
+  mixed.secondsTraced = clock.seconds();
+  mixed.tracedShare = traced;
+  if (!hasLight(smooth)) {
+    mixed.sky.image = std::move(sky.image);
+    mixed.sky.info = rays.tally.info();
+    return mixed;
+  }
+  mix(mixed.sky.image, static_cast<float>(1.0 - traced), sky.image, static_cast<float>(traced));
+  TallyInfo& info = mixed.sky.info;
+  const TallyInfo& ofRays = rays.tally.info();
+  const double undeviated = (1.0 - traced) * info.undeviatedFraction() + traced * ofRays.undeviatedFraction();
+  info.rays = ofRays.rays;
+  info.intercepted = {};
+  info.intercepted.add(1.0);
+  info.undeviated = {};
+  info.undeviated.add(undeviated);
+  mixed.sky.cutOff *= 1.0 - traced;
+  return mixed;
+}
+
+}  // namespace parhelion

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "render/integrated_sky.h"
+#include "trace/trace.h"
+
+namespace parhelion {
+
+/// A sky whose populations were each made by the engine that serves it.
+struct MixedSky {
+  IntegratedSky sky;                            // of all; its rays are those that were traced
+  std::vector<std::string> integrated, traced;  // names of the populations
+  double tracedShare = 0.0;                     // of the light, by a pilot sample
+  double secondsIntegrated = 0.0, secondsTraced = 0.0;
+  TraceReport report;  // of the rays, if there are any
+};
+
+/// The rays that a scene's picture takes: none where all is integrated, else the scene's.
+std::uint64_t raysOf(const Scene& scene);
+
+/// What keeps a scene from being made so, in one line; empty if nothing does.
+std::string objectionToMixedSky(const Scene& scene);
+
+/// Integrates the populations that can be to so small an error; traces the scene's rays for all others, and
+/// reconstructs those as the scene says. The same bits for any number of threads. Throws std::invalid_argument for a
+/// scene that has an objection, and as traceRays() does. Where the control stops the rays, `report` says so.
+MixedSky mixSky(const LoadedScene& loaded, double error, const TraceControl& control = {});
+
+}  // namespace parhelion
