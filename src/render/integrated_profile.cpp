@@ -12,6 +12,9 @@ namespace parhelion {
 
 namespace {
 
+// Crystals of spread aspect ratios are as many.
+constexpr int kProfileAspects = 16;
+
 /// From which the mean crystal follows.
 struct CrystalSums {
   double crystals = 0.0, volume = 0.0, surface = 0.0, shadow = 0.0;
@@ -106,7 +109,7 @@ IntegratedProfile integrateProfile(const Scene& scene, const IntegralProfileSett
   for (const PopulationSettings& population : scene.populations) {
     if (population.weight == 0.0) continue;
     // Randomly oriented convex crystals intercept light as they have surface (Cauchy).
-    const ScatterScene prisms{PrismSection(), prismsOf(population), iceLightOf(scene)};
+    const ScatterScene prisms{PrismSection(), prismsOf(population, kProfileAspects), iceLightOf(scene)};
     ScatterAccuracy accuracy;
     accuracy.error = settings.error;
     accuracy.detailed = settings.detailed;

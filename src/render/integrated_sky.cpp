@@ -22,6 +22,8 @@ namespace parhelion {
 
 namespace {
 
+// Crystals of spread aspect ratios are as many.
+constexpr int kPictureAspects = 8;
 // Rings of randomly oriented crystals: so many to a pixel on the axis, within these bounds.
 constexpr double kRingsPerPixel = 4.0;
 constexpr int kFewestRings = 1440, kMostRings = 36000;
@@ -209,7 +211,7 @@ class Sky {
   /// All of a population but its tilts.
   AxisScene axisScene(const PopulationSettings& settings) const {
     AxisScene axis;
-    axis.prisms = prismsOf(settings);
+    axis.prisms = prismsOf(settings, kPictureAspects);
     axis.indices = indices_.nodes();
     axis.toSun = [&](double u1, double u2) {
       if (sun_.isPoint()) return sun_.toCentre();

@@ -12,8 +12,6 @@ namespace parhelion {
 
 namespace {
 
-// Crystals of spread aspect ratios are as many, each with the same share of the surface.
-constexpr int kAspects = 16;
 // Nodes at which the spectrum's light is added up, and at which its indices are kept.
 constexpr int kSpectrumNodes = 4096, kIndexNodes = 256;
 // Continuous light is looked up in so many steps.
@@ -82,12 +80,12 @@ IceLight iceLightOf(const Scene& scene) {
   return IceLight(lines);
 }
 
-std::vector<PrismShare> prismsOf(const PopulationSettings& settings) {
+std::vector<PrismShare> prismsOf(const PopulationSettings& settings, int count) {
   const Population population(settings);
   const AngleQuantile* stretch = population.stretch();
   if (!stretch) return {{2.0 * std::get<FixedValue>(std::get<PrismSettings>(settings.shape).aspect).value, 1.0}};
   std::vector<PrismShare> prisms;
-  for (int k = 0; k < kAspects; ++k) prisms.push_back({2.0 * stretch->at((k + 0.5) / kAspects), 1.0 / kAspects});
+  for (int k = 0; k < count; ++k) prisms.push_back({2.0 * stretch->at((k + 0.5) / count), 1.0 / count});
   return prisms;
 }
 

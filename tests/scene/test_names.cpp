@@ -47,7 +47,7 @@ std::string summaryOf(const std::string& numbers) {
 }  // namespace
 
 TEST_CASE("every member of a family has a name of its own, which reads back") {
-  checkNames<Engine>(5);
+  checkNames<Engine>(6);
   checkNames<PathMode>(2);
   checkNames<Sampler>(2);
   checkNames<Simd>(4);

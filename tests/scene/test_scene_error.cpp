@@ -52,8 +52,8 @@ TEST_CASE("a value of the wrong kind is told with what was expected") {
   CHECK(wrong("sun = 3") == Lines{"1:7 'sun' must be a table, not 3"});
   CHECK(wrong("[[sun]]") == Lines{"1:1 'sun' must be a table, not a list"});
   CHECK(wrong("camera = 2020-01-01") == Lines{"1:10 'camera' must be a table, not a date or time"});
-  CHECK(wrong("[trace]\nengine = true") ==
-        Lines{"2:10 'engine' must be one of \"embree\", \"embree-robust\", \"planes\", \"auto\", \"integral\", not true"});
+  CHECK(wrong("[trace]\nengine = true") == Lines{"2:10 'engine' must be one of \"embree\", \"embree-robust\", "
+                                                 "\"planes\", \"auto\", \"integral\", \"mixed\", not true"});
   CHECK(wrong("[trace]\nseed = 1.5") == Lines{"2:8 'seed' must be an integer, at least 0, not 1.5"});
 }
 
