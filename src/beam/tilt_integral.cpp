@@ -35,8 +35,21 @@ constexpr double kWithinCell = 0.25;
 // Bands that are made side by side.
 constexpr std::size_t kAtOnce = 8;
 
-double blurOf(const AxisScene& scene, const Camera& camera) {
-  return std::max(1.0 / camera.focalLength(), kOfDisc * scene.sun.radius);
+double blurOf(const Camera& camera, double sunRadius) {
+  return std::max(1.0 / camera.focalLength(), kOfDisc * sunRadius);
+}
+
+/// Size of rings and of cells along them, rad.
+double cellOf(double blur, int level) {
+  return std::max(std::min(kOfBlur * blur, kCoarsest) / std::pow(kFiner, level), kFinest);
+}
+
+int firstLevelFor(double error) {
+  return static_cast<int>(std::clamp(std::log(kFirstError / error) / std::log(kBetter), 0.0, double{kMostLevel}));
+}
+
+int sunRowsOf(double radius, int cells) {
+  return std::max(kFewestSunRows, static_cast<int>(std::ceil(kSunRows * radius * cells / kPi)));
 }
 
 class TiltIntegration {
@@ -45,8 +58,7 @@ class TiltIntegration {
       : scene_(scene), accuracy_(accuracy), camera_(camera), directions_(camera) {}
 
   SkyIntegral run() {
-    const double levels = std::log(kFirstError / accuracy_.error) / std::log(kBetter);
-    for (level_ = static_cast<int>(std::clamp(levels, 0.0, double{kMostLevel}));; ++level_) {
+    for (level_ = firstLevelFor(accuracy_.error);; ++level_) {
       integrate();
       judge();
       result_.reached = result_.error <= accuracy_.error;
@@ -66,7 +78,7 @@ class TiltIntegration {
     mesh.rings = mesh.end = mesh.cells;
     seenRings(mesh);
     const CosineTable cosines(mesh.cells);
-    TiltSky sky(cosines, mesh, sunRows(scene_.sun, sunRowsOf(mesh)), scene_.tilt);
+    TiltSky sky(cosines, mesh, sunRows(scene_.sun, sunRowsOf(scene_.sun.radius, mesh.cells)), scene_.tilt);
     mesh.orders = sky.highestOrder();
     const int columns = 2 * static_cast<int>(std::lround(0.5 * kColumns * finer));
     LightTable table(scene_.prisms, scene_.indices, columns, mesh.bands, accuracy_.cutShare);
@@ -91,15 +103,7 @@ class TiltIntegration {
     result_.sheets += static_cast<long>(bands.size());
   }
 
-  int sunRowsOf(const BandMesh& mesh) const {
-    return std::max(kFewestSunRows, static_cast<int>(std::ceil(kSunRows * scene_.sun.radius * mesh.cells / kPi)));
-  }
-
-  /// Size of rings and of cells along them, rad.
-  double cell() const {
-    const double first = std::min(kOfBlur * blurOf(scene_, camera_), kCoarsest);
-    return std::max(first / std::pow(kFiner, level_), kFinest);
-  }
+  double cell() const { return cellOf(blurOf(camera_, scene_.sun.radius), level_); }
 
   /// Rings that the picture shows, and those beside them.
   void seenRings(BandMesh& mesh) const {
@@ -191,7 +195,18 @@ class TiltIntegration {
 
 bool isForTilts(const AxisScene& scene, const Camera& camera) {
   const bool blurs = !scene.oneTilt || scene.sun.radius > 0.0;
-  return blurs && kOfBlur * blurOf(scene, camera) >= kFinest;
+  return blurs && kOfBlur * blurOf(camera, scene.sun.radius) >= kFinest;
+}
+
+std::uint64_t memoryForTilts(const Camera& camera, double sunRadius, double error) {
+  const int level = std::min(firstLevelFor(error) + 1, kMostLevel);
+  const double cells = kPi / cellOf(blurOf(camera, sunRadius), level), square = cells * cells,
+               rows = sunRadius > 0.0 ? sunRowsOf(sunRadius, static_cast<int>(cells)) : 1;
+  // Four floats for each cell of rings: of pieces of work, of each elevation of the sun twice; for each order, of bands
+  // and of elevations, of which there are less near the sun.
+  constexpr double kBytes = 16.0, kPieces = 4.0, kShareOfOrders = 0.7;
+  return static_cast<std::uint64_t>(kBytes * square *
+                                    (kPieces + 2.0 * rows + kShareOfOrders * (static_cast<double>(kAtOnce) + rows)));
 }
 
 SkyIntegral integrateTilts(const AxisScene& scene, const SkyAccuracy& accuracy, const Camera& camera) {

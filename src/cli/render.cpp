@@ -85,7 +85,8 @@ int renderSmooth(const RenderOptions& options, const CLI::App& command, LoadedSc
   const std::string& scene = options.run.scene;
   SkyFiles files = options.picture.files(scene);
   const SkySize size = skySizeOf(loaded.scene);
-  const std::uint64_t integrating = memoryToIntegrate(size);
+  const double goal = integralGoal(options.longRun.error);
+  const std::uint64_t integrating = memoryToIntegrate(size) + memoryOfOrientations(loaded.scene, goal);
   requireMemory("the picture",
                 mixed ? integrating + memoryToRender(size, loaded.scene.recon, options.run.threads) : integrating);
   Transaction outputs = claimOutputs({{scene},
@@ -93,7 +94,6 @@ int renderSmooth(const RenderOptions& options, const CLI::App& command, LoadedSc
                                       {},
                                       {{files.exr, leastBytesOfPicture(size, loaded.scene.recon)}}},
                                      options.run.overwrite);
-  const double goal = integralGoal(options.longRun.error);
   loaded.error = goal;
   const RunClock clock;
   const StopSignal stop;

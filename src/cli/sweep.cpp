@@ -11,6 +11,7 @@
 #include "cli/say.h"
 #include "cli/trace_watch.h"
 #include "picture/memory_limit.h"
+#include "render/integrated_sky.h"
 #include "render/needs.h"
 #include "render/sky_files.h"
 #include "render/sweep.h"
@@ -76,8 +77,10 @@ void requireOutputsOf(const SweepOptions& options, const std::vector<SweepFrame>
     const SkySize size = skySizeOf(frame.loaded.scene);
     if (!frame.lacks.empty()) files.leastBytes[frame.exr] = leastBytesOfPicture(size, frame.loaded.scene.recon);
     const Scene& scene = frame.loaded.scene;
-    requireMemory(frame.exr.string(), memoryToRender(size, scene.recon, options.run.threads) +
-                                          (isIntegrated(scene) ? memoryToIntegrate(size) : 0));
+    requireMemory(
+        frame.exr.string(),
+        memoryToRender(size, scene.recon, options.run.threads) +
+            (isIntegrated(scene) ? memoryToIntegrate(size) + memoryOfOrientations(scene, *frame.loaded.error) : 0));
     if (isIntegrated(scene))
       requireIntegrable(scene);
     else if (!options.error.empty())

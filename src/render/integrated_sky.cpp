@@ -7,6 +7,7 @@
 
 #include "beam/ring_integral.h"
 #include "beam/sky_integral.h"
+#include "beam/tilt_integral.h"
 #include "crystal/population.h"
 #include "optics/spectrum.h"
 #include "optics/sun.h"
@@ -311,6 +312,14 @@ std::string objectionToIntegratedSky(const Scene& scene) {
     if (const std::string objection = objectionTo(population, false); !objection.empty())
       return "population " + population.name + " " + objection;
   return {};
+}
+
+std::uint64_t memoryOfOrientations(const Scene& scene, double error) {
+  const auto isTilted = [](const PopulationSettings& one) {
+    return !std::holds_alternative<RandomOrientation>(one.orientation);
+  };
+  if (std::ranges::none_of(scene.populations, isTilted)) return 0;
+  return memoryForTilts(Camera(scene.camera), 0.5 * Sun(scene.sun).diameter(), error);
 }
 
 IntegratedSky integrateSky(const LoadedScene& loaded, double error) {

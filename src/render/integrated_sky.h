@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include "picture/image.h"
@@ -22,6 +23,9 @@ struct IntegratedSky {
 
 /// What keeps a scene's sky from being integrated, in one line; empty if nothing does.
 std::string objectionToIntegratedSky(const Scene& scene);
+
+/// Bytes that integrating a scene's sky takes beside its pixels, at most.
+std::uint64_t memoryOfOrientations(const Scene& scene, double error);
 
 /// Integrates the sky of a scene that has no objection until the picture's error is at most so much. The same bits for
 /// any number of threads. Throws std::invalid_argument for a scene that has one.
