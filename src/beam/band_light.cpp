@@ -26,8 +26,7 @@ constexpr std::size_t kPieces = 4;
 // Cells beyond either end of the half ring, for triangles that reach over it.
 constexpr int kBeyond = 32;
 // Faint light is put to its place by points: so many to a cell's side, and at most along a side.
-constexpr double kFaintPoints = 1.2, kSpreadPoints = 2.5, kMostPoints = 64.0, kRowsInRings = 3.0,
-                 kColumnsInRings = 16.0;
+constexpr double kFaintPoints = 1.2, kSpreadPoints = 2.5, kMostPoints = 64.0;
 constexpr double kFaint = 0.05;
 // Orders a ring needs: those of waves as long as cells are on the largest ring, times this, and some more.
 constexpr double kOrders = 1.5, kMoreOrders = 24.0;
@@ -158,10 +157,9 @@ class BandLight::Room : public Scratch {
       const double across = std::max(std::abs(turn[0][a] - turn[0][b]), std::abs(from[a].place - from[b].place));
       return std::min(1.0 + std::floor(kSpreadPoints * across), kMostPoints);
     };
-    // In rings alone points that differ in two ways need not be dense in both.
-    const double rows = std::min(std::max(parts(0, 2), parts(1, 3)), cells_ > 2 ? kMostPoints : kRowsInRings);
-    double columns = std::min(std::max(parts(0, 1), parts(2, 3)), cells_ > 2 ? kMostPoints : kColumnsInRings);
-    if (cells_ > 2) columns = std::max(columns, std::min(std::ceil(kSpreadPoints * moved / rows), kMostPoints));
+    const double rows = std::max(parts(0, 2), parts(1, 3));
+    double columns = std::max(parts(0, 1), parts(2, 3));
+    columns = std::max(columns, std::min(std::ceil(kSpreadPoints * moved / rows), kMostPoints));
     const double perRow = 1.0 / rows, perColumn = 1.0 / columns, own = 2.0 * share * perRow * perColumn;
     const double top = first_, bottom = first_ + rows_;
     struct Line {
