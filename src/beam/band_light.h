@@ -8,6 +8,7 @@
 #include "beam/cosine_table.h"
 #include "beam/light_segments.h"
 #include "beam/light_table.h"
+#include "beam/ring_film.h"
 #include "beam/sheet_totals.h"
 #include "beam/tristimulus.h"
 
@@ -58,14 +59,11 @@ class BandLight {
  private:
   struct Scratch;
   template <int C>
-  class Room;
+  struct Room;
   using Four = Lanes<4>::Real;
   struct Row {
     bool dark = true;
     std::vector<double> light, density, excess, place, turn;  // place among the rings; azimuth about the sun, in cells
-  };
-  struct Corner {
-    double alpha, phi, light, density, excess, place, turn;
   };
   template <int C>
   void make(int band, std::unique_ptr<Scratch>& scratch, Band& to) const;
@@ -79,10 +77,10 @@ class BandLight {
   };
   template <int C>
   void addSegment(const Ends& ends, const LightSegments& lights, const LightSegments::Segment& segment, int step,
-                  Room<C>& room) const;
-  Corner exitAt(Corner corner, double index, int number) const;
+                  RingFilm<C>& film) const;
+  RingCorner exitAt(RingCorner corner, double index, int number) const;
   template <int C>
-  void analyse(Room<C>& room, Band& to) const;
+  void analyse(RingFilm<C>& film, Band& to) const;
 
   const LightTable& table_;
   const CosineTable& cosines_;

@@ -65,7 +65,7 @@ class Integration {
       : scene_(scene),
         accuracy_(accuracy),
         lens_(camera.lens()),
-        single_(scene.oneTilt && scene.onePoint && scene.oneColour),
+        single_(scene.oneTilt && scene.sun.radius == 0.0 && scene.lines.size() == 1),
         groups_(single_ ? 1 : kGroups) {}
 
   SkyIntegral run() {

@@ -23,7 +23,7 @@ struct AxisScene {
   std::function<IndexColour(double)> light;   // means of colours are that of white light
   std::vector<IndexColour> lines;             // all there is of it, each as likely; empty for continuous light
   SunFace sun;
-  bool oneTilt = false, onePoint = false, oneColour = false;
+  bool oneTilt = false;
 
   /// Whether light of one place differs in more than its brightness from that of another.
   bool hasColours() const {

@@ -222,8 +222,6 @@ class Sky {
     axis.light = [&](double u) { return indices_.at(u); };
     axis.lines = indices_.lines();
     axis.sun = {sun_.toCentre(), 0.5 * sun_.diameter(), [&](double angle) { return sun_.radiance(angle); }};
-    axis.onePoint = sun_.isPoint();
-    axis.oneColour = indices_.isSingle();
     return axis;
   }
 

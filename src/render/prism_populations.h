@@ -29,9 +29,6 @@ class IndexSampler {
   /// All light there is, each of its lines as likely; empty if it is continuous.
   const std::vector<IndexColour>& lines() const { return lines_; }
 
-  /// All light has one index and one colour.
-  bool isSingle() const { return lines_.size() == 1; }
-
   /// Indices at which light is to be traced: all there are, or three among which the others lie.
   std::vector<double> nodes() const;
 
