@@ -38,7 +38,7 @@ class Run {
   void writeCheckpoint();
   bool lookIsFine();
   bool isGoodEnough();
-  void requireRoom() const;
+  void requireRoom();
   void makeResult();
   void reopen();
 
@@ -147,10 +147,7 @@ bool Run::lookIsFine() {
     makeResult();
     if (isGoodEnough()) return false;
   }
-  if (countOf(held_) >= kFirstLook) {
-    makeResult();
-    requireRoom();
-  }
+  if (countOf(held_) >= kFirstLook) requireRoom();
   return report_.end == RunEnd::complete;
 }
 
@@ -170,15 +167,22 @@ bool Run::isGoodEnough() {
   return true;
 }
 
-void Run::requireRoom() const {
-  const double held = static_cast<double>(countOf(held_)), room = film_.fullness();
-  const double all = held + static_cast<double>(wanted_ - done_);
-  if (!(room * all > held)) return;
+/// Throws unless there is room for all rays that are still to come, if the fullest place grows as it has.
+void Run::requireRoom() {
+  const double held = static_cast<double>(countOf(held_)), all = held + static_cast<double>(wanted_ - done_);
+  const auto fits = [&](double full) { return full * all <= held; };
+  if (!finished_) {
+    tracer_.collect();
+    if (fits(film_.fullnessAtMost())) return;
+    makeResult();
+  }
+  const double full = film_.fullness();
+  if (fits(full)) return;
   char text[200];
   std::snprintf(text, sizeof text,
                 "the fullest place of the result overflows after about %.3g rays, and %.3g are wanted: trace fewer, or "
                 "give sun.spectrum fewer wavelengths",
-                held / room, all);
+                held / full, all);
   throw std::overflow_error(text);
 }
 

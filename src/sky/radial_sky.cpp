@@ -70,12 +70,16 @@ void RadialSky::subtract(const RadialSky& other) {
   subtractLines(rings_, other.rings_);
 }
 
-bool RadialSky::fitsPixels() const {
-  constexpr double kSafe = 0x1p62;  // half of what a pixel holds: far more than the rounding of these sums
+double RadialSky::fullnessOfAll() const {
   std::array<double, 8> sums{};
   for (const SumLine& ring : rings_)
     for (std::size_t k = 0; k < sums.size(); ++k) sums[k] += static_cast<double>(ring.place[k]);
-  return std::ranges::all_of(sums, [](double sum) { return sum < kSafe; });
+  return std::ranges::max(sums) / 0x1p63;
+}
+
+bool RadialSky::fitsPixels() const {
+  constexpr double kSafe = 0.5;  // far from 1 by the rounding of these sums
+  return fullnessOfAll() < kSafe;
 }
 
 /// What each ring gives for its share in a pixel: all sums in proportion to the share, but the squares and hits in
@@ -139,7 +143,7 @@ void RadialSky::spread(std::span<const Spreading> all) {
     if (tally->info.camera != all.front().tally->info.camera)
       throw std::invalid_argument("radial sky: the tallies' cameras differ");
     if (sky->isDark())
-      std::ranges::fill(tally->sums(), 0);
+      tally->clearPixels();
     else
       lit.push_back({sky, tally});
   }

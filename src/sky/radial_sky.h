@@ -82,6 +82,9 @@ class RadialSky {
   /// Takes out what merge() has added.
   void subtract(const RadialSky& other);
 
+  /// How full one ring or pixel would be that held all of them.
+  double fullnessOfAll() const;
+
   /// Whether all rings together hold less than fits into one pixel, so that no pixel can overflow.
   bool fitsPixels() const;
 

@@ -71,13 +71,15 @@ Tally SkyTally::flattened() const {
   for (std::size_t i = 0; i < symmetries_.size(); ++i) {
     const Tally part = withoutLayers(i);
     const std::int64_t times = images / part.info.images();
-    for (int pixel = 0; pixel < flat.pixels(); ++pixel)
+    for (int pixel = 0; pixel < flat.pixels(); ++pixel) {
+      if (part.isDark(pixel)) continue;
       for (int slot = 0; slot < flat.slots(); ++slot) {
         std::int64_t sum = flat.raw(pixel, slot);
         const std::int64_t factor = slot == Tally::kHits ? 1 : slot == Tally::kSquares ? times * times : times;
         for (std::int64_t k = 0; k < factor; ++k) addFixed(sum, part.raw(pixel, slot));
         flat.setRaw(pixel, slot, sum);
       }
+    }
   }
   return flat;
 }

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "sky/fixed_point.h"
@@ -26,7 +27,7 @@ struct alignas(64) SumLine {
 };
 
 /// The largest sum, as a share of the largest that fits.
-inline double fullness(const std::vector<SumLine>& sums) {
+inline double fullness(std::span<const SumLine> sums) {
   std::int64_t most = 0;
   for (const SumLine& line : sums)
     for (const std::int64_t sum : line.place) most = std::max(most, sum);
@@ -34,32 +35,45 @@ inline double fullness(const std::vector<SumLine>& sums) {
 }
 
 /// All their integers, in their order.
-inline std::span<std::int64_t> integersOf(std::vector<SumLine>& lines) {
+inline std::span<std::int64_t> integersOf(std::span<SumLine> lines) {
   static_assert(sizeof(SumLine) == sizeof(SumLine::place));
   return {reinterpret_cast<std::int64_t*>(lines.data()), 8 * lines.size()};
 }
 
-/// Adds `amounts` to sums of the same number. Throws std::overflow_error, and changes nothing, where one of them does
-/// not fit.
-inline void addLines(std::vector<SumLine>& sums, const std::vector<SumLine>& amounts) {
-  std::int64_t sum = 0;
+/// Adds a line to another, or takes it away where `sign` is -1. Returns whether it did not fit.
+template <int sign>
+bool combineLine(SumLine& sum, const SumLine& amount) {
   bool overflow = false;
-  for (std::size_t i = 0; i < sums.size(); ++i)
-    for (std::size_t k = 0; k < 8; ++k) overflow |= __builtin_add_overflow(sums[i].place[k], amounts[i].place[k], &sum);
-  if (overflow) rejectLight();
-  for (std::size_t i = 0; i < sums.size(); ++i)
-    for (std::size_t k = 0; k < 8; ++k) sums[i].place[k] += amounts[i].place[k];
+  for (std::size_t k = 0; k < sum.place.size(); ++k)
+    overflow |= sign > 0 ? __builtin_add_overflow(sum.place[k], amount.place[k], &sum.place[k])
+                         : __builtin_sub_overflow(sum.place[k], amount.place[k], &sum.place[k]);
+  return overflow;
 }
 
-/// Takes `amounts` out of sums that contain them: the inverse of addLines(). Throws std::overflow_error as that does.
-inline void subtractLines(std::vector<SumLine>& sums, const std::vector<SumLine>& amounts) {
-  std::int64_t sum = 0;
+/// Adds `amounts` to sums of the same number, or takes them away. `forLines` calls its argument with the numbers of all
+/// lines that have amounts. Throws std::overflow_error, and changes nothing, where one of them does not fit.
+template <int sign, class Sums, class ForLines>
+void combineLines(Sums& sums, const Sums& amounts, const ForLines& forLines) {
   bool overflow = false;
-  for (std::size_t i = 0; i < sums.size(); ++i)
-    for (std::size_t k = 0; k < 8; ++k) overflow |= __builtin_sub_overflow(sums[i].place[k], amounts[i].place[k], &sum);
+  forLines([&](std::size_t i) {
+    SumLine sum = std::as_const(sums)[i];
+    overflow |= combineLine<sign>(sum, amounts[i]);
+  });
   if (overflow) rejectLight();
-  for (std::size_t i = 0; i < sums.size(); ++i)
-    for (std::size_t k = 0; k < 8; ++k) sums[i].place[k] -= amounts[i].place[k];
+  forLines([&](std::size_t i) { combineLine<sign>(sums[i], amounts[i]); });
+}
+
+inline void addLines(std::vector<SumLine>& sums, const std::vector<SumLine>& amounts) {
+  combineLines<1>(sums, amounts, [&](const auto& act) {
+    for (std::size_t i = 0; i < sums.size(); ++i) act(i);
+  });
+}
+
+/// The inverse of addLines(), for sums that contain the amounts.
+inline void subtractLines(std::vector<SumLine>& sums, const std::vector<SumLine>& amounts) {
+  combineLines<-1>(sums, amounts, [&](const auto& act) {
+    for (std::size_t i = 0; i < sums.size(); ++i) act(i);
+  });
 }
 
 }  // namespace parhelion

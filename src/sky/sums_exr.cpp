@@ -72,17 +72,27 @@ struct Digest {
   std::size_t zeros = 0;
 };
 
+/// Of a part that holds nothing but zeros.
+Digest digestOfZeros(std::size_t numbers) {
+  Checksum checksum;
+  const std::vector<std::int64_t> zeros(std::min<std::size_t>(numbers, 4096));
+  for (std::size_t left = numbers; left > 0; left -= std::min(left, zeros.size()))
+    addIntegers(checksum, {zeros.data(), std::min(left, zeros.size())});
+  return {checksum.value(), numbers};
+}
+
 /// All parts take turns with each block of rows: those that are numbers of the same pixels find them in the cache.
 std::vector<Digest> digestsOf(std::span<const SumsPart> parts, const SumsSource& source) {
   std::vector<Digest> digests(parts.size());
   std::vector<Checksum> checksums(parts.size());
   std::vector<std::int64_t> room;
   int tallest = 0;
-  for (const SumsPart& part : parts) tallest = std::max(tallest, part.height);
+  for (const SumsPart& part : parts)
+    if (!part.blank) tallest = std::max(tallest, part.height);
   for (int row = 0; row < tallest; row += kBlockRows)
     for (std::size_t i = 0; i < parts.size(); ++i) {
       const int rows = std::min(kBlockRows, parts[i].height - row);
-      if (rows <= 0) continue;
+      if (rows <= 0 || parts[i].blank) continue;
       const std::size_t width = static_cast<std::size_t>(parts[i].width);
       room.resize(std::max(room.size(), width * static_cast<std::size_t>(rows)));
       const std::span<std::int64_t> values(room.data(), width * static_cast<std::size_t>(rows));
@@ -90,13 +100,22 @@ std::vector<Digest> digestsOf(std::span<const SumsPart> parts, const SumsSource&
       addIntegers(checksums[i], values);
       digests[i].zeros += static_cast<std::size_t>(std::ranges::count(values, std::int64_t{0}));
     }
-  for (std::size_t i = 0; i < parts.size(); ++i) digests[i].checksum = checksums[i].value();
+  std::map<std::size_t, Digest> ofZeros;  // by size
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    if (!parts[i].blank)
+      digests[i].checksum = checksums[i].value();
+    else if (const std::size_t size = parts[i].size(); ofZeros.contains(size))
+      digests[i] = ofZeros[size];
+    else
+      digests[i] = ofZeros[size] = digestOfZeros(size);
   return digests;
 }
 
 /// Whether runs of equal bytes are enough to make a part small: they take a small part of the work that ZIP does, but
-/// find little in a part that is full.
-bool isNearlyEmpty(const SumsPart& part, const Digest& digest) { return digest.zeros > part.size() / 16 * 15; }
+/// find little in a part that is full. One without anything is packed only once, so that ZIP's work is none.
+bool isNearlyEmpty(const SumsPart& part, const Digest& digest) {
+  return digest.zeros > part.size() / 16 * 15 && digest.zeros < part.size();
+}
 
 void writePart(Imf::OutputPart output, const SumsPart& part, std::size_t index, const SumsSource& source) {
   Rows block(part);

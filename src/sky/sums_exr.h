@@ -22,6 +22,7 @@ namespace parhelion {
 struct SumsPart {
   std::string name;  // "Y", "rings.hits"
   int width = 0, height = 0;
+  bool blank = false;  // its numbers are known to be 0: nobody is asked for them
 
   std::size_t size() const { return static_cast<std::size_t>(width) * static_cast<std::size_t>(height); }
 };

@@ -35,13 +35,14 @@ void combineTotals(TallyInfo& info, const TallyInfo& other, const Combine& combi
 
 }  // namespace
 
-Tally::Tally(TallyInfo tallyInfo, int colours) : info(std::move(tallyInfo)), colours_(colours) {
-  requireValid(info, colours);
-  width_ = info.camera.width;
-  height_ = info.camera.height;
-  stride_ = colours == 1 ? 4 : 8;
-  perWhite_ = {inverseOrZero(info.white.x), 1.0, inverseOrZero(info.white.z)};
-  lines_.resize((static_cast<std::size_t>(pixels()) * stride_ + 7) / 8);
+Tally::Tally(TallyInfo tallyInfo, int colours)
+    : info((requireValid(tallyInfo, colours), std::move(tallyInfo))),
+      width_(info.camera.width),
+      height_(info.camera.height),
+      colours_(colours),
+      stride_(colours == 1 ? 4 : 8),
+      perWhite_(inverseOrZero(info.white.x), 1.0, inverseOrZero(info.white.z)),
+      lines_((static_cast<std::size_t>(pixels()) * stride_ + 7) / 8) {
   if (info.symmetry == TallySymmetry::radial) makeRings(info.toSun());
 }
 
@@ -51,7 +52,7 @@ Vec3 Tally::xyz(int pixel) const {
   return {fromFixed(raw(pixel, kX)) * info.white.x, y, fromFixed(raw(pixel, kZ)) * info.white.z};
 }
 
-double Tally::fullness() const { return std::max(parhelion::fullness(lines_), rings_ ? rings_->fullness() : 0.0); }
+double Tally::fullness() const { return std::max(lines_.fullness(), rings_ ? rings_->fullness() : 0.0); }
 
 double Tally::luminanceError(int pixel) const {
   const std::uint64_t rays = info.rayCount();
@@ -120,6 +121,7 @@ void Tally::takeAsOne(const Tally& shared) {
     return;
   }
   for (int pixel = 0; pixel < pixels(); ++pixel) {
+    if (shared.isDark(pixel)) continue;
     setRaw(pixel, kSquares, raw(pixel, kSquares) + shared.raw(pixel, kSquares));
     setRaw(pixel, kHits, raw(pixel, kHits) - shared.raw(pixel, kHits));
   }
@@ -161,6 +163,7 @@ void Tally::addMirrorImage() {
   for (int y = 0; y < height_; ++y) {
     for (int x = 0; 2 * x < width_; ++x) {
       const int left = y * width_ + x, right = y * width_ + width_ - 1 - x;
+      if (isDark(left) && isDark(right)) continue;
       std::int64_t *sums = &at(static_cast<std::size_t>(left) * stride_),
                    *mirrored = &at(static_cast<std::size_t>(right) * stride_);
       for (int slot = 0; slot < slots(); ++slot) {
@@ -179,6 +182,7 @@ void Tally::removeMirrorImage() {
   for (int y = 0; y < height_; ++y) {
     for (int x = 0; 2 * x < width_; ++x) {
       const int left = y * width_ + x, right = y * width_ + width_ - 1 - x;
+      if (isDark(right)) continue;
       for (int slot = 0; slot < slots(); ++slot)
         setRaw(right, slot, left == right ? raw(left, slot) / timesInMiddle(slot) : 0);
     }

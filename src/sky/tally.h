@@ -11,7 +11,7 @@
 #include "math/conventions.h"
 #include "sky/fixed_point.h"
 #include "sky/radial_sky.h"
-#include "sky/sum_line.h"
+#include "sky/sum_lines.h"
 #include "sky/tally_info.h"
 
 namespace parhelion {
@@ -86,7 +86,14 @@ class Tally : public TallySlots {
   std::int64_t hits(int pixel) const { return raw(pixel, kHits); }
 
   /// All integers of all pixels.
-  std::span<std::int64_t> sums() { return integersOf(lines_); }
+  std::span<std::int64_t> sums() { return integersOf(lines_.all()); }
+
+  /// Sets them to 0.
+  void clearPixels() { lines_.clear(); }
+
+  /// Whether nobody has ever written to any pixel, or to one and those next to it. What was written may be 0.
+  bool isBlank() const { return lines_.isBlank(); }
+  bool isBlank(int pixel) const { return lines_.isBlank(static_cast<std::size_t>(pixel) * stride_ / 8); }
 
   /// How full the fullest of all sums is, those of rings included, from 0 to 1. At 1 nothing more fits into it.
   double fullness() const;
@@ -144,10 +151,20 @@ class Tally : public TallySlots {
   std::int64_t raw(int pixel, int slot) const {
     return at(static_cast<std::size_t>(pixel) * stride_ + static_cast<std::size_t>(slot));
   }
+
+  /// Whether all of them are 0.
+  bool isDark(int pixel) const {
+    if (isBlank(pixel)) return true;
+    std::int64_t bits = 0;
+    for (int slot = 0; slot < slots(); ++slot) bits |= raw(pixel, slot);
+    return bits == 0;
+  }
+
   void setRaw(int pixel, int slot, std::int64_t value) {
     at(static_cast<std::size_t>(pixel) * stride_ + static_cast<std::size_t>(slot)) = value;
   }
   void setRaw(int pixel, const SumLine& sums) {
+    if (sums == SumLine{} && isDark(pixel)) return;
     std::copy_n(sums.place.begin(), slots(), &at(static_cast<std::size_t>(pixel) * stride_));
   }
 
@@ -158,8 +175,8 @@ class Tally : public TallySlots {
   /// The rings of both together. Throws std::overflow_error where they do not fit, into pixels neither.
   RadialSky ringsWith(const Tally& other) const;
 
-  std::int64_t& at(std::size_t i) { return reinterpret_cast<std::int64_t*>(lines_.data())[i]; }
-  const std::int64_t& at(std::size_t i) const { return reinterpret_cast<const std::int64_t*>(lines_.data())[i]; }
+  std::int64_t& at(std::size_t i) { return lines_[i / 8].place[i % 8]; }
+  const std::int64_t& at(std::size_t i) const { return lines_[i / 8].place[i % 8]; }
 
   template <class AddTo>
   void deposit(int pixel, const FixedLight& light, bool firstHalf, AddTo addTo) {
@@ -175,8 +192,8 @@ class Tally : public TallySlots {
 
   int width_, height_, colours_;
   std::size_t stride_;
-  Vec3 perWhite_;               // 1 / white, 0 where the white has none
-  std::vector<SumLine> lines_;  // a pixel has 8 integers (colour) or 4 (luminance only), so that one line holds them
+  Vec3 perWhite_;   // 1 / white, 0 where the white has none
+  SumLines lines_;  // a pixel has 8 integers (colour) or 4 (luminance only), so that one line holds them
   std::optional<RadialSky> rings_;
 };
 

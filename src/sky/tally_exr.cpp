@@ -78,7 +78,7 @@ void listParts(const std::vector<Member<AnyTally>>& members, std::vector<SumsPar
         if (inRings)
           parts.push_back(listPart(name, static_cast<std::size_t>(member.tally->rings()->bins())));
         else
-          parts.push_back({name, member.tally->width(), member.tally->height()});
+          parts.push_back({name, member.tally->width(), member.tally->height(), member.tally->isBlank()});
         places.push_back({member.tally, slot, inRings});
       }
     }
@@ -116,9 +116,11 @@ void readRings(SumsExr& file, std::size_t place, int slot, RadialSky& rings) {
   });
 }
 
+/// Into a tally that is empty.
 void readPixels(SumsExr& file, std::size_t place, int slot, Tally& tally) {
   file.read(place, [&](std::size_t first, std::span<const std::int64_t> values) {
-    for (std::size_t i = 0; i < values.size(); ++i) tally.setRaw(static_cast<int>(first + i), slot, values[i]);
+    for (std::size_t i = 0; i < values.size(); ++i)
+      if (values[i] != 0) tally.setRaw(static_cast<int>(first + i), slot, values[i]);
   });
 }
 
@@ -179,7 +181,10 @@ void writeSkyTallyExr(const Output& output, const SkyTally& sky) {
     if (inRings)
       for (std::size_t i = 0; i < values.size(); ++i) values[i] = ringSum(*tally->rings(), first + i, slot);
     else
-      for (std::size_t i = 0; i < values.size(); ++i) values[i] = tally->raw(static_cast<int>(first + i), slot);
+      for (std::size_t i = 0; i < values.size(); ++i) {
+        const int pixel = static_cast<int>(first + i);
+        values[i] = tally->isBlank(pixel) ? 0 : tally->raw(pixel, slot);
+      }
   });
 }
 

@@ -38,6 +38,9 @@ class Film {
   /// How full the fullest of all sums is, as they are after finish(), from 0 to 1. At 1 nothing more fits into it.
   virtual double fullness() const { return 0.0; }
 
+  /// At most how full they would be, of what was merged so far: known without finish(), which takes longer.
+  virtual double fullnessAtMost() const { return fullness(); }
+
   /// Shows all that was merged, as it is before finish(). Throws std::logic_error for films that are traced by one
   /// process only.
   virtual void visitSums(SumVisitor&) { throw std::logic_error("this film is for one process"); }

@@ -15,10 +15,22 @@ namespace parhelion {
 
 namespace {
 
-double zenithAngle(const Vec3& axis) { return std::atan2(std::hypot(axis.x, axis.y), axis.z); }
-
 bool isNamed(const std::vector<std::string>& names, const std::string& name) {
   return names.empty() || std::ranges::find(names, name) != names.end();
+}
+
+/// Where crystals of an orientation rest: the zenith angle of the axis that tilts. Of angles beyond a pole, where the
+/// axis comes down.
+double restOf(const OrientationSettings& orientation) {
+  const auto centre = [](const AngleDistribution& zenith) {
+    return std::abs(std::remainder(centreOf(zenith), 2.0 * kPi));
+  };
+  return std::visit(Overloaded{
+                        [](const RandomOrientation&) { return 0.0; },
+                        [&](const AxisOrientation& axis) { return centre(axis.zenith); },
+                        [&](const LowitzOrientation& lowitz) { return centre(lowitz.axisZenith); },
+                    },
+                    orientation);
 }
 
 /// Whether a pattern speaks of a population at all.
@@ -39,18 +51,13 @@ const PathPattern& anything() {
 
 }  // namespace
 
-double tiltOf(const OrientationSettings& orientation, const Vec3& crystalY, const Vec3& crystalZ) {
-  const auto from = [](const AngleDistribution& rest, const Vec3& axis) {
-    // Of angles beyond a pole, where the axis comes down.
-    return std::abs(zenithAngle(axis) - std::abs(std::remainder(centreOf(rest), 2.0 * kPi)));
-  };
-  return std::visit(Overloaded{
-                        [&](const RandomOrientation&) { return zenithAngle(crystalZ); },
-                        [&](const AxisOrientation& axis) { return from(axis.zenith, crystalZ); },
-                        [&](const LowitzOrientation& lowitz) { return from(lowitz.axisZenith, crystalY); },
-                    },
-                    orientation);
-}
+PathPlan::ZenithRange::ZenithRange(double from, double to)
+    : fromNowhere_(from < 0.0),
+      toNowhere_(to > kPi),
+      sinFrom_(std::sin(from)),
+      cosFrom_(std::cos(from)),
+      sinTo_(std::sin(to)),
+      cosTo_(std::cos(to)) {}
 
 PathPlan::PathPlan(const Cloud& cloud, const PathSettings& settings, bool sequences)
     : hasFilter_(settings.filter.has_value()),
@@ -59,7 +66,6 @@ PathPlan::PathPlan(const Cloud& cloud, const PathSettings& settings, bool sequen
   if (record_ == PathRecord::nothing) return;
   if (settings.layers.size() > kMostLayers)
     throw std::invalid_argument("there may be " + std::to_string(kMostLayers) + " layers at the most");
-  for (const LayerSettings& layer : settings.layers) tilts_.push_back(layer.tilt);
   for (const Population& population : cloud.populations()) populations_.push_back(planFor(population, settings));
   for (OfPopulation& plan : populations_)
     plan.table = {plan.automaton.table().data(), static_cast<double>(plan.automaton.faces()), plan.code.bits(),
@@ -92,7 +98,8 @@ PathPlan::OfPopulation PathPlan::planFor(const Population& population, const Pat
   if (settings.filter) add(*settings.filter, kFilter);
 
   OfPopulation plan{
-      PathAutomaton(numbers, patterns), PathCode(static_cast<int>(numbers.size())), {}, {}, {}, {}, false};
+      PathAutomaton(numbers, patterns), PathCode(static_cast<int>(numbers.size())), {}, {}, {}, {}, false, {}};
+  plan.tiltsCrystalY = std::holds_alternative<LowitzOrientation>(population.orientation());
   for (int state = 0; state < plan.automaton.states(); ++state) {
     const PathAutomaton::Patterns& accepted = plan.automaton.accepted(state);
     std::uint64_t taken = 0;
@@ -103,22 +110,19 @@ PathPlan::OfPopulation PathPlan::planFor(const Population& population, const Pat
         kept = true;
       else
         taken |= std::uint64_t{1} << decides[i];
-      plan.hasTilts |= decides[i] != kFilter && tilts_[static_cast<std::size_t>(decides[i])].has_value();
     }
     plan.takenBy.push_back(taken);
     plan.layers.push_back(layerIn(taken));
     plan.kept.push_back(kept);
   }
+  const double rest = restOf(population.orientation());
+  for (int layer = 0; layer < layers_; ++layer) {
+    const auto& tilt = settings.layers[static_cast<std::size_t>(layer)].tilt;
+    if (tilt && std::ranges::find(decides, layer) != decides.end())
+      plan.tilted.push_back(
+          {std::uint64_t{1} << layer, {rest - tilt->from, rest + tilt->from}, {rest - tilt->to, rest + tilt->to}});
+  }
   return plan;
-}
-
-std::uint64_t PathPlan::layersFor(const Population& population, const Vec3& crystalY, const Vec3& crystalZ) const {
-  const double tilt = tiltOf(population.orientation(), crystalY, crystalZ);
-  std::uint64_t allowed = ~std::uint64_t{0};
-  for (std::size_t layer = 0; layer < tilts_.size(); ++layer)
-    if (tilts_[layer] && !(tilt >= tilts_[layer]->from && tilt < tilts_[layer]->to))
-      allowed &= ~(std::uint64_t{1} << layer);
-  return allowed;
 }
 
 }  // namespace parhelion

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <bit>
+#include <cmath>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -35,13 +35,21 @@ class PathPlan {
   bool hasFilter() const { return hasFilter_; }
 
   /// Whether the tilt of a population's crystals decides on the layer of their light.
-  bool hasTilts(int population) const { return populations_[population].hasTilts; }
+  bool hasTilts(int population) const { return !populations_[population].tilted.empty(); }
 
   /// Layers that have a name. The rest is one more, after them.
   int layers() const { return layers_; }
 
   /// The layers that may take light of a crystal whose rotation has these columns: by its tilt, a bit each.
-  std::uint64_t layersFor(const Population& population, const Vec3& crystalY, const Vec3& crystalZ) const;
+  std::uint64_t layersFor(int population, const Vec3& crystalY, const Vec3& crystalZ) const {
+    const OfPopulation& plan = populations_[population];
+    const Vec3& axis = plan.tiltsCrystalY ? crystalY : crystalZ;
+    const double horizontal = std::sqrt(axis.x * axis.x + axis.y * axis.y);
+    std::uint64_t allowed = ~std::uint64_t{0};
+    for (const TiltedLayer& layer : plan.tilted)
+      if (!layer.from.isOutside(horizontal, axis.z) || !layer.to.isWithin(horizontal, axis.z)) allowed &= ~layer.bit;
+    return allowed;
+  }
 
   /// Whether the filter keeps light in this state of the population's automaton.
   bool keeps(int population, double state) const { return populations_[population].kept[static_cast<int>(state)]; }
@@ -58,6 +66,29 @@ class PathPlan {
  private:
   int layerIn(std::uint64_t taken) const { return taken != 0 ? std::countr_zero(taken) : layers_; }
 
+  /// An open range of zenith angles, and how to tell whether an axis points into it without finding its angle.
+  class ZenithRange {
+   public:
+    ZenithRange(double from, double to);
+    bool isWithin(double horizontal, double z) const { return isAbove(horizontal, z) && isBelow(horizontal, z); }
+    bool isOutside(double horizontal, double z) const { return !isWithin(horizontal, z); }
+
+   private:
+    /// By the sine of the difference of two angles.
+    bool isAbove(double horizontal, double z) const {
+      return fromNowhere_ || horizontal * cosFrom_ - z * sinFrom_ > 0.0;
+    }
+    bool isBelow(double horizontal, double z) const { return toNowhere_ || z * sinTo_ - horizontal * cosTo_ > 0.0; }
+
+    bool fromNowhere_, toNowhere_;  // a bound is beyond the zenith or the nadir
+    double sinFrom_, cosFrom_, sinTo_, cosTo_;
+  };
+
+  struct TiltedLayer {
+    std::uint64_t bit;
+    ZenithRange from, to;  // zenith angles of tilts below each bound
+  };
+
   struct OfPopulation {
     PathAutomaton automaton;
     PathCode code;
@@ -65,19 +96,15 @@ class PathPlan {
     std::vector<std::uint64_t> takenBy;  // by state: layers whose pattern takes it
     std::vector<int> layers;             // by state: the first of them
     std::vector<char> kept;              // by state: whether the filter does
-    bool hasTilts = false;
+    bool tiltsCrystalY = false;          // their tilt is that of crystal +y, else of the c axis
+    std::vector<TiltedLayer> tilted;
   };
   OfPopulation planFor(const Population& population, const PathSettings& settings) const;
 
   std::vector<OfPopulation> populations_;
-  std::vector<std::optional<LayerSettings::TiltRange>> tilts_;  // by layer
   bool hasFilter_;
   int layers_;
   PathRecord record_;
 };
-
-/// A crystal's own tilt (rad): the angle of its c axis, of Lowitz crystals of the axis through two opposite edges
-/// (crystal +y), from where it is at rest; of crystals in all orientations, of the c axis from the vertical.
-double tiltOf(const OrientationSettings& orientation, const Vec3& crystalY, const Vec3& crystalZ);
 
 }  // namespace parhelion

@@ -11,8 +11,10 @@ namespace parhelion {
 
 /// Part of the light, told apart by how it came through which crystals. What is left out takes all.
 struct LayerSettings {
+  /// Of a crystal's own tilt: the angle of its c axis, of Lowitz crystals of the axis through two opposite edges
+  /// (crystal +y), from where it is at rest; of crystals in all orientations, of the c axis from the vertical.
   struct TiltRange {
-    double from = 0.0, to = 0.0;  // rad, of PathPlan::tiltOf(); `to` is not in it
+    double from = 0.0, to = 0.0;  // rad; `to` is not in it
   };
 
   std::string name;

@@ -74,6 +74,13 @@ double RadialFilm::fullness() const {
   return most;
 }
 
+/// No pixel holds more than all rings together.
+double RadialFilm::fullnessAtMost() const {
+  double most = 0.0;
+  for (const RadialSky* sky : skies_) most = std::max(most, sky->fullnessOfAll());
+  return most;
+}
+
 void RadialFilm::visitSums(SumVisitor& visitor) {
   for (RadialSky* sky : all()) visitor.visit(sky->sums());
 }

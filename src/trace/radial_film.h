@@ -28,6 +28,7 @@ class RadialFilm : public Film {
   /// Spreads the rings over the tallies' pixels, in the place of what was there.
   void finish() override;
   double fullness() const override;
+  double fullnessAtMost() const override;
 
  private:
   struct ForThread {};

@@ -89,6 +89,11 @@ double SkyFilm::fullness() const {
   return most;
 }
 
+double SkyFilm::fullnessAtMost() const {
+  constexpr double kMostByMirrors = 4.0;  // the squares of the middle column
+  return fullness() * (foldsPicture() && !folded_ ? kMostByMirrors : 1.0);
+}
+
 void SkyFilm::visitSums(SumVisitor& visitor) {
   forAll([&](Tally& tally) { visitor.visit(tally.sums()); });
 }

@@ -28,6 +28,7 @@ class SkyFilm : public Film {
   void finish() override;
   void reopen() override;
   double fullness() const override;
+  double fullnessAtMost() const override;
 
  private:
   /// The pixels in which an exit and its mirror image are seen.

@@ -78,4 +78,10 @@ double SkyTallyFilm::fullness() const {
   return most;
 }
 
+double SkyTallyFilm::fullnessAtMost() const {
+  double most = 0.0;
+  for (const auto& film : films_) most = std::max(most, film->fullnessAtMost());
+  return most;
+}
+
 }  // namespace parhelion

@@ -25,6 +25,7 @@ class SkyTallyFilm : public Film {
   void finish() override;
   void reopen() override;
   double fullness() const override;
+  double fullnessAtMost() const override;
 
  private:
   SkyTallyFilm(SkyTallyFilm& whole, std::vector<std::unique_ptr<Film>> films);

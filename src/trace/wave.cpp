@@ -198,7 +198,7 @@ void Wave::sortByLayer(const RayQueue& queue, int population) {
       return Vec3(rows[0][place], rows[1][place], rows[2][place]);
     };
     allowed_[static_cast<std::size_t>(place)] =
-        paths_.layersFor(cloud_.populations()[population], axis(queue.crystalY), axis(queue.crystalZ));
+        paths_.layersFor(population, axis(queue.crystalY), axis(queue.crystalZ));
   }
   for (int i = 0; i < exits_.count; ++i) {
     const int place = queue.placeOf(static_cast<int>(exits_.ray[i]));

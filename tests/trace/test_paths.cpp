@@ -165,22 +165,34 @@ TEST_CASE("patterns speak of the populations and stances that they name") {
 
 TEST_CASE("layers of tilt part the crystals by how far they are from their rest") {
   const auto tilted = [](double zenith) { return Vec3(std::sin(zenith), 0.0, std::cos(zenith)); };
-  const AxisOrientation plate{Normal{0.0, 0.1}}, column{Normal{0.5 * kPi, 0.1}};
-  CHECK(tiltOf(plate, {}, tilted(0.07)) == doctest::Approx(0.07));
-  CHECK(tiltOf(column, {}, tilted(0.5 * kPi - 0.07)) == doctest::Approx(0.07));
-  CHECK(tiltOf(LowitzOrientation{}, tilted(0.5 * kPi + 0.07), {}) == doctest::Approx(0.07));
-  CHECK(tiltOf(RandomOrientation{}, {}, tilted(0.3)) == doctest::Approx(0.3));
-
-  PathSettings settings{
-      {},
-      {{"low", {}, {}, LayerSettings::TiltRange{0.0, 0.05}}, {"high", {}, {}, LayerSettings::TiltRange{0.05, 0.1}}}};
-  const Cloud cloud = simpleCloud({prismPopulation(0.2, plate)});
-  const PathPlan plan(cloud, settings);
-  const auto layerAt = [&](double tilt) {
-    const auto allowed = plan.layersFor(cloud.populations()[0], {}, tilted(tilt));
-    return plan.layerOf(0, plan.automaton(0).next(PathAutomaton::kStart, 0), allowed);
+  struct Case {
+    OrientationSettings orientation;
+    double rest;  // zenith angle
+    bool ofCrystalY;
   };
-  CHECK(layerAt(0.01) == 0);
-  CHECK(layerAt(0.07) == 1);
-  CHECK(layerAt(0.2) == 2);
+  const Case cases[] = {
+      {AxisOrientation{Normal{0.0, 0.1}}, 0.0, false},  {AxisOrientation{Normal{0.5 * kPi, 0.1}}, 0.5 * kPi, false},
+      {AxisOrientation{Normal{-0.4, 0.1}}, 0.4, false}, {AxisOrientation{Normal{kPi, 0.1}}, kPi, false},
+      {LowitzOrientation{}, 0.5 * kPi, true},           {RandomOrientation{}, 0.0, false},
+  };
+  using Range = LayerSettings::TiltRange;
+  const PathSettings settings{
+      {}, {{"low", {}, {}, Range{0.0, 0.05}}, {"high", {}, {}, Range{0.05, 0.7}}, {"far", {}, {}, Range{0.7, kPi}}}};
+  for (const auto& [orientation, rest, ofCrystalY] : cases) {
+    CAPTURE(rest);
+    const Cloud cloud = simpleCloud({prismPopulation(0.2, orientation)});
+    const PathPlan plan(cloud, settings);
+    CHECK(plan.hasTilts(0));
+    int wrong = 0;
+    for (int i = 0; i < 1000; ++i) {
+      const double zenith = kPi * (i + 0.5) / 1000.0, tilt = std::abs(zenith - rest);
+      const Vec3 axis = tilted(zenith), none(0.0, 0.0, -1.0);
+      const auto allowed = plan.layersFor(0, ofCrystalY ? axis : none, ofCrystalY ? none : axis);
+      const int layer = plan.layerOf(0, plan.automaton(0).next(PathAutomaton::kStart, 0), allowed);
+      wrong += layer != (tilt < 0.05 ? 0 : tilt < 0.7 ? 1 : 2);
+    }
+    CHECK(wrong == 0);
+  }
+  const Cloud cloud = simpleCloud({prismPopulation(0.2, AxisOrientation{})});
+  CHECK_FALSE(PathPlan(cloud, {{}, {{"all", {}, {}, {}}}}).hasTilts(0));
 }

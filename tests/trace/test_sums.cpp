@@ -8,6 +8,7 @@
 #include "skies.h"
 #include "trace/scatter_profile.h"
 #include "trace/sky_map.h"
+#include "trace/tracer.h"
 
 using namespace parhelion;
 using namespace parhelion::test;
@@ -102,4 +103,27 @@ TEST_CASE("a bin holds the squares of large bundles, however many") {
         for (int i = 0; i < 5; ++i) all.merge(BundleBins(all));
       }(),
       std::overflow_error);
+}
+
+TEST_CASE("without the result, films say how full it will be at most, and not much more") {
+  // A narrow picture of odd width, whose middle column holds both images; and rings, of which a pixel holds many.
+  for (const auto& population : {plates(), prismPopulation(1.0)}) {
+    const Cloud cloud = sunlit({population});
+    TallyInfo info;
+    info.camera = lookAt(Projection::rectilinear, 0.0, 20.0, 0.0, 60.0, 3, 3);
+    info.white = cloud.spectrum().white();
+    info.sunElevation = std::asin(cloud.sun().toCentre().z);
+    SkyTally tally(info, 3, different(symmetriesOf(cloud, Symmetry::automatic)));
+    const auto film = makeFilm(tally, cloud, Symmetry::automatic);
+    const TraceSettings settings = by(Symmetry::automatic, 20'000, 3);
+    Tracer tracer(cloud, settings, *film, 2);
+    tracer.trace({0, settings.rays}, [](std::uint64_t) { return true; });
+    tracer.collect();
+    const double most = film->fullnessAtMost();
+    film->finish();
+    CHECK(film->fullness() > 0.0);
+    CHECK(film->fullness() <= most);
+    CHECK(most <= 100.0 * film->fullness());  // much of the light is out of view
+    CHECK(film->fullnessAtMost() >= film->fullness());
+  }
 }
