@@ -55,17 +55,15 @@ BandLight::BandLight(const LightTable& table, const CosineTable& cosines, const 
 
 BandLight::~BandLight() = default;
 
-void BandLight::make(int first, const std::function<bool(int band)>& wanted, std::vector<Band>& to) {
+void BandLight::make(std::span<const int> numbers, std::vector<Band>& to) {
   scratch_.resize(kPieces);
-  forEach(kPieces, [&](std::size_t piece) {
-    for (std::size_t k = piece; k < to.size(); k += kPieces) {
+  forEach(std::min(kPieces, numbers.size()), [&](std::size_t piece) {
+    for (std::size_t k = piece; k < numbers.size(); k += kPieces) {
       clear(to[k]);
-      const int band = first + static_cast<int>(k);
-      if (band >= mesh_.bands || !wanted(band)) continue;
       if (colours_)
-        make<4>(band, scratch_[piece], to[k]);
+        make<4>(numbers[k], scratch_[piece], to[k]);
       else
-        make<2>(band, scratch_[piece], to[k]);
+        make<2>(numbers[k], scratch_[piece], to[k]);
     }
   });
 }
@@ -111,7 +109,7 @@ void BandLight::make(int band, std::unique_ptr<Scratch>& scratch, Band& to) cons
           mean([&](double alpha, std::size_t n) { return table_.totalsAt(alpha, parts[n]).intercepted; });
       to.totals.cutOff += mean([&](double alpha, std::size_t n) { return table_.totalsAt(alpha, parts[n]).cutOff; });
     }
-    for (const int number : table_.classes()) {
+    for (const int number : table_.classesIn(band)) {
       ends.number = number;
       bool dark = true;
       for (std::size_t n = 0; n < indices; ++n) {

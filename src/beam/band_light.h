@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <functional>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "beam/cosine_table.h"
@@ -21,6 +21,8 @@ struct BandMesh {
   int cells = 0;           // along each ring, over half a turn
   int first = 0, end = 0;  // rings that matter
   double orders = 0.0;     // waves around a ring that matter, at most
+
+  bool operator==(const BandMesh&) const = default;
 };
 
 /// What crystals do to light by the angle alpha between their c axes and the sun, all rolls alike.
@@ -52,9 +54,8 @@ class BandLight {
     SheetTotals totals;          // of the mean light
   };
 
-  /// Makes bands in parallel: all that `wanted` takes, from `first` on, as many as there is room for. Others become
-  /// dark.
-  void make(int first, const std::function<bool(int band)>& wanted, std::vector<Band>& to);
+  /// Makes bands in parallel: the first of these are those of the numbers.
+  void make(std::span<const int> numbers, std::vector<Band>& to);
 
  private:
   struct Scratch;

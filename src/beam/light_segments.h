@@ -19,10 +19,14 @@ struct LightSegments {
     double share;                           // of all light
     std::array<double, kColours> at;        // places between both, from 0 to 1, of as much light each
     std::array<Tristimulus, kColours> xyz;  // its colour there
+
+    bool operator==(const Segment&) const = default;
   };
 
   std::vector<double> indices;
   std::vector<Segment> segments;
+
+  bool operator==(const LightSegments&) const = default;
 
   /// Lines, each as likely.
   static LightSegments ofLines(const std::vector<IndexColour>& lines) {

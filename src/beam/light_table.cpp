@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "math/portable.h"
 #include "parallel/loops.h"
@@ -11,7 +12,7 @@ namespace parhelion {
 
 namespace {
 
-// Classes with less than this share of all light are left out.
+// Classes with less than this share of a row's light are left out.
 constexpr double kFaintest = 1e-9;
 
 /// The row before a place, and how far on the way to the next.
@@ -59,7 +60,7 @@ void LightTable::prepare(double zeta0, double zeta1) {
   if (missing.empty()) return;
   forEach(missing.size(), [&](std::size_t k) { table_[static_cast<std::size_t>(missing[k])] = traced(missing[k]); });
   directions_ += static_cast<long>(missing.size() * indices_.size() * prisms_.size()) * (columns_ + 1);
-  findClasses();
+  classes_ = classesOf(table_);
 }
 
 LightTable::Row LightTable::traced(int row) const {
@@ -93,25 +94,35 @@ LightTable::Row LightTable::traced(int row) const {
       }
     }
   }
+  findClasses(result);
   return result;
 }
 
-void LightTable::findClasses() {
+void LightTable::findClasses(Row& row) const {
   std::vector<double> light(kLightClasses, 0.0);
   double all = 0.0;
   const std::size_t size = indices_.size() * static_cast<std::size_t>(room_);
-  for (const Row& row : table_) {
-    if (!row.traced) continue;
-    for (std::size_t number = 0; number < light.size(); ++number) {
-      if (row.slot[number] < 0) continue;
-      const float* from = row.light.data() + static_cast<std::size_t>(row.slot[number]) * size;
-      for (std::size_t k = 0; k < size; ++k) light[number] += static_cast<double>(from[k]);
-    }
+  for (std::size_t number = 0; number < light.size(); ++number) {
+    if (row.slot[number] < 0) continue;
+    const float* from = row.light.data() + static_cast<std::size_t>(row.slot[number]) * size;
+    for (std::size_t k = 0; k < size; ++k) light[number] += static_cast<double>(from[k]);
+    all += light[number];
   }
-  for (const double l : light) all += l;
-  classes_.clear();
   for (std::size_t number = 0; number < light.size(); ++number)
-    if (light[number] > kFaintest * all) classes_.push_back(static_cast<int>(number));
+    if (light[number] > kFaintest * all) row.classes.push_back(static_cast<int>(number));
+}
+
+std::vector<int> LightTable::classesIn(int row) const {
+  const auto first = static_cast<std::size_t>(row / 2 * 2);
+  return classesOf(std::span(table_).subspan(first, std::min<std::size_t>(3, table_.size() - first)));
+}
+
+std::vector<int> LightTable::classesOf(std::span<const Row> rows) {
+  std::vector<int> all;
+  for (const Row& row : rows) all.insert(all.end(), row.classes.begin(), row.classes.end());
+  std::ranges::sort(all);
+  all.erase(std::ranges::unique(all).begin(), all.end());
+  return all;
 }
 
 std::vector<double> LightTable::partsOf(double index) const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "beam/light_class.h"
@@ -47,6 +48,9 @@ class LightTable {
   /// Numbers of the classes (LightClass) that have light in any row that was traced.
   const std::vector<int>& classes() const { return classes_; }
 
+  /// The same of the rows about cell `row`, as lightAt() looks at them with strides of 1 or 2.
+  std::vector<int> classesIn(int row) const;
+
   /// How much of each index's table makes the light of another index: parts that add up to 1.
   std::vector<double> partsOf(double index) const;
 
@@ -66,12 +70,14 @@ class LightTable {
  private:
   struct Row {
     bool traced = false;
+    std::vector<int> classes;    // that have light
     std::vector<short> slot;     // of each class; negative without light
     std::vector<float> light;    // by slot, index and column
     std::vector<Totals> totals;  // by index
   };
   Row traced(int row) const;
-  void findClasses();
+  void findClasses(Row& row) const;
+  static std::vector<int> classesOf(std::span<const Row> rows);
 
   PrismSection section_;
   std::vector<PrismShare> prisms_;

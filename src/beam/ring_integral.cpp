@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "beam/band_light.h"
 #include "math/portable.h"
@@ -56,12 +57,12 @@ class RingIntegration {
     result_.totals = {};
     std::vector<BandLight::Band> made(kAtOnce);
     for (int first = 0; first < mesh.bands; first += static_cast<int>(kAtOnce)) {
-      light.make(
-          first, [](int) { return true; }, made);
-      for (std::size_t k = 0; k < made.size() && first + static_cast<int>(k) < mesh.bands; ++k) {
-        const int band = first + static_cast<int>(k);
-        const double own = shareOf(band), pair = 0.5 * (own + shareOf(band ^ 1)),
-                     fine = own - kOfBand * (shareOf(band - 1) - 2.0 * own + shareOf(band + 1));
+      std::vector<int> numbers(std::min(kAtOnce, static_cast<std::size_t>(mesh.bands - first)));
+      std::iota(numbers.begin(), numbers.end(), first);
+      light.make(numbers, made);
+      for (std::size_t k = 0; k < numbers.size(); ++k) {
+        const double own = shareOf(numbers[k]), pair = 0.5 * (own + shareOf(numbers[k] ^ 1)),
+                     fine = own - kOfBand * (shareOf(numbers[k] - 1) - 2.0 * own + shareOf(numbers[k] + 1));
         result_.totals.add(made[k].totals, own);
         addBand(light, made[k], fine, pair, sums);
       }
@@ -119,8 +120,27 @@ class RingIntegration {
 
 }  // namespace
 
-RingIntegral integrateRings(const AxisScene& scene, const SkyAccuracy& accuracy, int rings) {
-  return RingIntegration(scene, accuracy, rings).run();
+const RingIntegral* RingStore::find(const Kind& kind) const {
+  const auto found = std::ranges::find(kept_, kind, &std::pair<Kind, RingIntegral>::first);
+  return found == kept_.end() ? nullptr : &found->second;
+}
+
+void RingStore::add(const Kind& kind, const RingIntegral& rings) {
+  constexpr std::size_t kMost = 64;
+  if (kept_.size() < kMost) kept_.emplace_back(kind, rings);
+}
+
+RingIntegral integrateRings(const AxisScene& scene, const SkyAccuracy& accuracy, int rings, RingStore& store) {
+  const RingStore::Kind kind{scene.prisms,   scene.indices,     scene.segments(kLights),
+                             accuracy.error, accuracy.cutShare, rings};
+  if (const RingIntegral* kept = store.find(kind)) {
+    RingIntegral same = *kept;
+    same.directions = 0;
+    return same;
+  }
+  RingIntegral made = RingIntegration(scene, accuracy, rings).run();
+  store.add(kind, made);
+  return made;
 }
 
 }  // namespace parhelion

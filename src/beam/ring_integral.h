@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "beam/sky_integral.h"
@@ -16,8 +17,32 @@ struct RingIntegral {
   bool reached = false;
 };
 
+/// Light of rings, kept from one picture to the next: the sun's place does not matter to it.
+class RingStore {
+ public:
+  /// All that decides what it is.
+  struct Kind {
+    std::vector<PrismShare> prisms;
+    std::vector<double> indices;
+    LightSegments lights;
+    double error, cutShare;
+    int rings;
+
+    bool operator==(const Kind&) const = default;
+  };
+
+  /// Null if it is not kept.
+  const RingIntegral* find(const Kind& kind) const;
+
+  /// Keeps it, if not many are kept already.
+  void add(const Kind& kind, const RingIntegral& rings);
+
+ private:
+  std::vector<std::pair<Kind, RingIntegral>> kept_;
+};
+
 /// Integrates the light of randomly oriented crystals: of a scene its prisms and its light count. The same bits for any
-/// number of threads.
-RingIntegral integrateRings(const AxisScene& scene, const SkyAccuracy& accuracy, int rings);
+/// number of threads, and whatever the store has.
+RingIntegral integrateRings(const AxisScene& scene, const SkyAccuracy& accuracy, int rings, RingStore& store);
 
 }  // namespace parhelion

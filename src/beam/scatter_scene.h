@@ -13,6 +13,8 @@ namespace parhelion {
 /// A prism of one length, and its share of all crystals' surface.
 struct PrismShare {
   double length, share;
+
+  bool operator==(const PrismShare&) const = default;
 };
 
 /// Randomly oriented prisms of one cross-section, and the light that they are in.

@@ -237,8 +237,8 @@ class Integration {
 
 }  // namespace
 
-SkyIntegral integrateSky(const AxisScene& scene, const SkyAccuracy& accuracy, const Camera& camera) {
-  if (isForTilts(scene, camera)) return integrateTilts(scene, accuracy, camera);
+SkyIntegral integrateSky(const AxisScene& scene, const SkyAccuracy& accuracy, const Camera& camera, BandStore& store) {
+  if (isForTilts(scene, camera)) return integrateTilts(scene, accuracy, camera, store);
   return Integration(scene, accuracy, camera).run();
 }
 

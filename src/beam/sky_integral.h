@@ -6,6 +6,7 @@
 #include <functional>
 #include <vector>
 
+#include "beam/band_store.h"
 #include "beam/light_segments.h"
 #include "beam/orientation_sheet.h"
 #include "beam/sun_points.h"
@@ -58,7 +59,7 @@ struct SkyIntegral {
   bool reached = false;
 };
 
-/// Integrates over all orientations. The same bits for any number of threads.
-SkyIntegral integrateSky(const AxisScene& scene, const SkyAccuracy& accuracy, const Camera& camera);
+/// Integrates over all orientations. The same bits for any number of threads, and whatever the store has.
+SkyIntegral integrateSky(const AxisScene& scene, const SkyAccuracy& accuracy, const Camera& camera, BandStore& store);
 
 }  // namespace parhelion

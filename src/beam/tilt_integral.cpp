@@ -23,7 +23,7 @@ constexpr double kOfBlur = 0.7, kOfDisc = 0.6, kFinest = 0.0012, kCoarsest = 0.0
 // Thickness of bands over half of what tilts are spread by; at most over cells, and in rad.
 constexpr double kOfSpread = 0.5, kThickest = 2.2, kThickestBand = 0.0055;
 // What the first mesh errs by, more or less, and by how much less each of the next.
-constexpr double kFirstError = 0.018, kBetter = 1.6;
+constexpr double kFirstError = 0.03, kBetter = 1.8;
 // Each mesh has cells smaller than the last one by this.
 constexpr double kFiner = 1.5;
 // What the coarse mesh differs by, times this, is the error.
@@ -32,8 +32,10 @@ constexpr double kOfCoarse = 0.35;
 constexpr double kRipple = 1e-3, kFarRipple = 1e-5;
 // Pixels that are narrower than a cell may have as much of the difference between their neighbours' light as this.
 constexpr double kWithinCell = 0.25;
-// Bands that are made side by side.
-constexpr std::size_t kAtOnce = 8;
+// What a picture needs of bands is rounded to such steps, that the next one may need the same: cosines of so many
+// waves, and rings by so many to all of them.
+constexpr double kOrderSteps = 64.0;
+constexpr int kRingSteps = 16;
 
 double blurOf(const Camera& camera, double sunRadius) {
   return std::max(1.0 / camera.focalLength(), kOfDisc * sunRadius);
@@ -45,7 +47,8 @@ double cellOf(double blur, int level) {
 }
 
 int firstLevelFor(double error) {
-  return static_cast<int>(std::clamp(std::log(kFirstError / error) / std::log(kBetter), 0.0, double{kMostLevel}));
+  return static_cast<int>(
+      std::clamp(std::ceil(std::log(kFirstError / error) / std::log(kBetter)), 0.0, double{kMostLevel}));
 }
 
 int sunRowsOf(double radius, int cells) {
@@ -54,8 +57,8 @@ int sunRowsOf(double radius, int cells) {
 
 class TiltIntegration {
  public:
-  TiltIntegration(const AxisScene& scene, const SkyAccuracy& accuracy, const Camera& camera)
-      : scene_(scene), accuracy_(accuracy), camera_(camera), directions_(camera) {}
+  TiltIntegration(const AxisScene& scene, const SkyAccuracy& accuracy, const Camera& camera, BandStore& store)
+      : scene_(scene), accuracy_(accuracy), camera_(camera), store_(store), directions_(camera) {}
 
   SkyIntegral run() {
     for (level_ = firstLevelFor(accuracy_.error);; ++level_) {
@@ -77,30 +80,25 @@ class TiltIntegration {
     mesh.cells = 4 * static_cast<int>(std::ceil(0.25 * kPi / cell()));
     mesh.rings = mesh.end = mesh.cells;
     seenRings(mesh);
-    const CosineTable cosines(mesh.cells);
-    TiltSky sky(cosines, mesh, sunRows(scene_.sun, sunRowsOf(scene_.sun.radius, mesh.cells)), scene_.tilt);
-    mesh.orders = sky.highestOrder();
-    const int columns = 2 * static_cast<int>(std::lround(0.5 * kColumns * finer));
-    LightTable table(scene_.prisms, scene_.indices, columns, mesh.bands, accuracy_.cutShare);
-    std::vector<int> bands;
-    for (int band = 0; band < mesh.bands; ++band)
-      if (sky.hasBand(band)) bands.push_back(band);
-    const double width = 0.5 * kPi / mesh.bands;
-    table.prepare(bands.front() * width, (bands.back() + 1) * width);
+    const auto cosines = store_.cosines(mesh.cells);
+    TiltSky sky(*cosines, mesh, sunRows(scene_.sun, sunRowsOf(scene_.sun.radius, mesh.cells)), scene_.tilt,
+                store_.room);
+    mesh.orders = kOrderSteps * std::ceil(sky.highestOrder() / kOrderSteps);
+    const int columns = 2 * static_cast<int>(std::lround(0.5 * kColumns * finer)), lights = kLights + 2 * level_;
     colours_ = scene_.hasColours();
-    const int lights = kLights + 2 * level_;
-    BandLight light(table, cosines, mesh, colours_, scene_.segments(lights), scene_.segments(lights / 2));
+    BandStore::Bands& bands = store_.open({scene_.prisms, scene_.indices, columns, accuracy_.cutShare, mesh, colours_,
+                                           scene_.segments(lights), scene_.segments(lights / 2)});
+    const BandLight& light = bands.light();
+    const long traced = bands.directions();
+    std::vector<int> numbers;
+    for (int band = 0; band < mesh.bands; ++band)
+      if (sky.hasBand(band)) numbers.push_back(band);
     sky.start(light);
-    std::vector<BandLight::Band> made(kAtOnce);
-    for (int first = bands.front(); first <= bands.back(); first += static_cast<int>(kAtOnce)) {
-      light.make(
-          first, [&](int band) { return sky.hasBand(band); }, made);
-      sky.add(light, first, made);
-    }
+    bands.forEach(numbers, [&](std::span<const NumberedBand> some) { sky.add(light, some); });
     sky.expose(light, directions_, pixels_);
     result_.totals = sky.totals();
-    result_.directions += table.directions();
-    result_.sheets += static_cast<long>(bands.size());
+    result_.directions += bands.directions() - traced;
+    result_.sheets += static_cast<long>(numbers.size());
   }
 
   double cell() const { return cellOf(blurOf(camera_, scene_.sun.radius), level_); }
@@ -124,8 +122,9 @@ class TiltIntegration {
       }
     const double beyond = largest + 1.5 * scene_.sun.radius + (broken ? 0.1 : 0.0);
     const double perAngle = mesh.cells / kPi;
-    mesh.first = std::clamp(static_cast<int>((least - beyond) * perAngle) - 3, 0, mesh.cells - 2);
-    mesh.end = std::clamp(static_cast<int>((most + beyond) * perAngle) + 4, mesh.first + 2, mesh.cells);
+    const int step = (mesh.cells + kRingSteps - 1) / kRingSteps;
+    mesh.first = std::clamp(static_cast<int>((least - beyond) * perAngle) - 3, 0, mesh.cells - 2) / step * step;
+    mesh.end = std::min((static_cast<int>((most + beyond) * perAngle) + 4 + step - 1) / step * step, mesh.cells);
   }
 
   void judge() {
@@ -184,6 +183,7 @@ class TiltIntegration {
   const AxisScene& scene_;
   SkyAccuracy accuracy_;
   const Camera& camera_;
+  BandStore& store_;
   PixelDirections directions_;
   int level_ = 0;
   bool colours_ = true;
@@ -204,13 +204,13 @@ std::uint64_t memoryForTilts(const Camera& camera, double sunRadius, double erro
                rows = sunRadius > 0.0 ? sunRowsOf(sunRadius, static_cast<int>(cells)) : 1;
   // Four floats for each cell of rings: of pieces of work, of each elevation of the sun twice; for each order, of bands
   // and of elevations, of which there are less near the sun.
-  constexpr double kBytes = 16.0, kPieces = 4.0, kShareOfOrders = 0.7;
-  return static_cast<std::uint64_t>(kBytes * square *
-                                    (kPieces + 2.0 * rows + kShareOfOrders * (static_cast<double>(kAtOnce) + rows)));
+  constexpr double kBytes = 16.0, kPieces = 4.0, kAtOnce = 8.0, kShareOfOrders = 0.7;
+  return static_cast<std::uint64_t>(kBytes * square * (kPieces + 2.0 * rows + kShareOfOrders * (kAtOnce + rows)));
 }
 
-SkyIntegral integrateTilts(const AxisScene& scene, const SkyAccuracy& accuracy, const Camera& camera) {
-  return TiltIntegration(scene, accuracy, camera).run();
+SkyIntegral integrateTilts(const AxisScene& scene, const SkyAccuracy& accuracy, const Camera& camera,
+                           BandStore& store) {
+  return TiltIntegration(scene, accuracy, camera, store).run();
 }
 
 }  // namespace parhelion

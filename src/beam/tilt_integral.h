@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "beam/band_store.h"
 #include "beam/sky_integral.h"
 
 namespace parhelion {
@@ -16,6 +17,6 @@ std::uint64_t memoryForTilts(const Camera& camera, double sunRadius, double erro
 
 /// integrateSky() of crystals of all tilts together (TiltSky): for suns with a disc, light of all colours and
 /// distributions of tilts.
-SkyIntegral integrateTilts(const AxisScene& scene, const SkyAccuracy& accuracy, const Camera& camera);
+SkyIntegral integrateTilts(const AxisScene& scene, const SkyAccuracy& accuracy, const Camera& camera, BandStore& store);
 
 }  // namespace parhelion

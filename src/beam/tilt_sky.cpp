@@ -103,13 +103,17 @@ class RingLookUp {
 }  // namespace
 
 TiltSky::TiltSky(const CosineTable& cosines, const BandMesh& mesh, std::vector<SunRow> rows,
-                 const std::function<double(double)>& tilt)
+                 const std::function<double(double)>& tilt, std::vector<AlignedVector<float>>& room)
     : cosines_(cosines),
       mesh_(mesh),
       room_(cosines.room(mesh.cells)),
       crystals_(rows.size()),
       reached_(static_cast<std::size_t>(mesh.bands)) {
+  room.resize(std::max(room.size(), 2 * rows.size() + 1));
+  plain_ = &room.back();
   forEach(rows.size(), [&](std::size_t k) {
+    crystals_[k].sky = &room[2 * k];
+    crystals_[k].cells = &room[2 * k + 1];
     crystals_[k].sun = std::move(rows[k]);
     distribute(tilt, crystals_[k]);
   });
@@ -202,30 +206,30 @@ void TiltSky::findOrders(Crystals& crystals) {
 void TiltSky::start(const BandLight& light) {
   mesh_ = light.mesh();
   totals_ = {};
-  for (Crystals& crystals : crystals_) crystals.sky.assign(light.size(), 0.0F);
+  for (Crystals& crystals : crystals_) crystals.sky->assign(light.size(), 0.0F);
 }
 
 PARHELION_ALSO_AVX2 static void addProducts(const float* a, const float* b, int count, float* to) {
   for (int k = 0; k < count; ++k) to[k] += a[k] * b[k];
 }
 
-void TiltSky::add(const BandLight& light, int first, const std::vector<BandLight::Band>& bands) {
+void TiltSky::add(const BandLight& light, std::span<const NumberedBand> bands) {
   for (const Crystals& crystals : crystals_) {
     double weight = 0.0;
     for (const SunRow::Point& point : crystals.sun.points) weight += point.weight;
-    for (std::size_t k = 0; k < bands.size() && static_cast<std::size_t>(first) + k < reached_.size(); ++k)
-      totals_.add(bands[k].totals, weight * crystals.shares[static_cast<std::size_t>(first) + k]);
+    for (const auto& [number, band] : bands)
+      totals_.add(band->totals, weight * crystals.shares[static_cast<std::size_t>(number)]);
   }
   const int channels = light.channels();
   forRows(mesh_.end - mesh_.first, [&](int row) {
     const int ring = mesh_.first + row, room = light.room(ring);
     for (Crystals& crystals : crystals_) {
-      float* const to = crystals.sky.data() + light.placeOf(ring);
-      for (std::size_t k = 0; k < bands.size(); ++k) {
-        if (!bands[k].lit[static_cast<std::size_t>(ring)]) continue;
-        const float* const from = bands[k].light.data() + light.placeOf(ring);
+      float* const to = crystals.sky->data() + light.placeOf(ring);
+      for (const auto& [number, band] : bands) {
+        if (!band->lit[static_cast<std::size_t>(ring)]) continue;
+        const float* const from = band->light.data() + light.placeOf(ring);
         const float* const orders =
-            crystals.orders.data() + (static_cast<std::size_t>(first) + k) * 4 * static_cast<std::size_t>(room_);
+            crystals.orders.data() + static_cast<std::size_t>(number) * 4 * static_cast<std::size_t>(room_);
         for (int part = 0; part < 2 * channels; ++part) {
           const int own = (part >= 2 * (channels - 1) ? 2 : 0) + part % 2;
           addProducts(orders + own * room_, from + part * room, room, to + part * room);
@@ -238,7 +242,8 @@ void TiltSky::add(const BandLight& light, int first, const std::vector<BandLight
 void TiltSky::synthesise(const BandLight& light, Crystals& crystals) const {
   const int channels = light.channels(), rings = mesh_.end - mesh_.first;
   const std::size_t stride = 4 * static_cast<std::size_t>(mesh_.cells);
-  AlignedVector<float> plain(static_cast<std::size_t>(rings) * stride);
+  AlignedVector<float>& plain = *plain_;
+  plain.resize(std::max(plain.size(), static_cast<std::size_t>(rings) * stride));
   forRows(rings, [&](int row) {
     const int ring = mesh_.first + row, room = light.room(ring);
     const double from = kPi * ring / mesh_.cells, to = kPi * (ring + 1) / mesh_.cells;
@@ -252,17 +257,17 @@ void TiltSky::synthesise(const BandLight& light, Crystals& crystals) const {
         const double sharp = part < 2 * (channels - 1) ? 1.0 + kAlong * waves * waves : 1.0;
         const double weight = per * fade * sharp * (order == 0 ? 1.0 : 2.0);
         const auto at = static_cast<std::size_t>(part * room + k);
-        orders[at] = static_cast<float>(weight * static_cast<double>(crystals.sky[light.placeOf(ring) + at]));
+        orders[at] = static_cast<float>(weight * static_cast<double>((*crystals.sky)[light.placeOf(ring) + at]));
       }
     cosines_.synthesise(orders.data(), channels, room, plain.data() + static_cast<std::size_t>(row) * stride);
   });
-  crystals.cells.resize(plain.size());
+  crystals.cells->resize(std::max(crystals.cells->size(), static_cast<std::size_t>(rings) * stride));
   forRows(rings, [&](int row) {
     const auto at = [&](int which) {
       return plain.data() + static_cast<std::size_t>(std::clamp(which, 0, rings - 1)) * stride;
     };
     const float *above = at(row - 1), *own = at(row), *below = at(row + 1);
-    float* const to = crystals.cells.data() + static_cast<std::size_t>(row) * stride;
+    float* const to = crystals.cells->data() + static_cast<std::size_t>(row) * stride;
     for (std::size_t k = 0; k < stride; ++k) {
       const bool fine = static_cast<int>(k % 4) < channels - 1;
       to[k] = fine ? own[k] - static_cast<float>(kAcross) * (above[k] - 2.0F * own[k] + below[k]) : own[k];
@@ -281,7 +286,7 @@ void TiltSky::expose(const BandLight& light, const PixelDirections& directions, 
   std::vector<RingLookUp> rows;
   for (Crystals& crystals : crystals_) {
     synthesise(light, crystals);
-    rows.emplace_back(crystals.sun, crystals.cells.data(), mesh_);
+    rows.emplace_back(crystals.sun, crystals.cells->data(), mesh_);
   }
   const Camera& camera = directions.camera();
   const double cell = kPi / mesh_.cells;

@@ -2,9 +2,10 @@
 #pragma once
 
 #include <functional>
+#include <span>
 #include <vector>
 
-#include "beam/band_light.h"
+#include "beam/band_store.h"
 #include "beam/pixel_directions.h"
 #include "beam/sun_points.h"
 
@@ -16,9 +17,10 @@ namespace parhelion {
 /// product with the light of the band, order by order, summed over all bands, is the sky about the sun.
 class TiltSky {
  public:
-  /// `tilt` is the inverse of the distribution of tilts (rad). As many rings as cells.
+  /// `tilt` is the inverse of the distribution of tilts (rad). As many rings as cells. `room` (BandStore) must outlive
+  /// this.
   TiltSky(const CosineTable& cosines, const BandMesh& mesh, std::vector<SunRow> rows,
-          const std::function<double(double)>& tilt);
+          const std::function<double(double)>& tilt, std::vector<AlignedVector<float>>& room);
 
   /// Whether any crystals are in a band.
   bool hasBand(int band) const { return reached_[static_cast<std::size_t>(band)]; }
@@ -29,8 +31,8 @@ class TiltSky {
   /// Starts anew, for light of this layout.
   void start(const BandLight& light);
 
-  /// Adds the light of some bands, from `first` on, in their order.
-  void add(const BandLight& light, int first, const std::vector<BandLight::Band>& bands);
+  /// Adds the light of some bands, in their order.
+  void add(const BandLight& light, std::span<const NumberedBand> bands);
 
   /// What all crystals do.
   const SheetTotals& totals() const { return totals_; }
@@ -47,8 +49,8 @@ class TiltSky {
     SunRow sun;
     std::vector<double> shares;   // by band
     AlignedVector<float> orders;  // by band: fine, even and odd; coarse, even and odd
-    AlignedVector<float> sky;     // sums over bands, as bands have them
-    AlignedVector<float> cells;   // by ring and cell, four channels: light per solid angle
+    AlignedVector<float>* sky;    // sums over bands, as bands have them
+    AlignedVector<float>* cells;  // by ring and cell, four channels: light per solid angle
   };
   void distribute(const std::function<double(double)>& tilt, Crystals& crystals) const;
   void findOrders(Crystals& crystals);
@@ -58,6 +60,7 @@ class TiltSky {
   BandMesh mesh_;
   int room_;  // of all orders
   std::vector<Crystals> crystals_;
+  AlignedVector<float>* plain_;  // cells of one elevation, before what lies across rings is sharpened
   std::vector<bool> reached_;
   double highestOrder_ = 0.0;
   SheetTotals totals_;

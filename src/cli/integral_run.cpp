@@ -16,7 +16,7 @@ namespace parhelion::cli {
 namespace {
 
 // The error of a picture when none is asked for.
-constexpr double kGoal = 0.01;
+constexpr double kGoal = 0.02;
 
 constexpr std::array kOfRays{"--rays", "--seed", "--sampler", "--simd", "--symmetry"};
 constexpr std::array kOfLongRuns{"--time", "--slice", "--ray-range", "--resume", "--checkpoint", "--tally"};

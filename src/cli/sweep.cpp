@@ -65,6 +65,24 @@ FrameNames frameNamesOf(const std::string& pattern) {
   }
 }
 
+/// Bytes that a frame takes.
+std::uint64_t memoryOf(const SweepFrame& frame, int threads) {
+  const Scene& scene = frame.loaded.scene;
+  const SkySize size = skySizeOf(scene);
+  std::uint64_t bytes = memoryToRender(size, scene.recon, threads);
+  if (isIntegrated(scene)) bytes += memoryToIntegrate(size) + memoryOfOrientations(scene, *frame.loaded.error);
+  return bytes;
+}
+
+/// Bytes of light that integrated frames may leave to the next: half of what frames do not take themselves.
+std::uint64_t keptLight(const std::vector<SweepFrame>& frames, int threads) {
+  constexpr std::uint64_t kMost = 4'000'000'000;
+  std::uint64_t most = 0;
+  for (const SweepFrame& frame : frames) most = std::max(most, memoryOf(frame, threads));
+  const std::uint64_t room = memoryLimit().bytes;
+  return std::min(kMost, (room - std::min(room, most)) / 2);
+}
+
 /// Throws before anything is rendered if something cannot be written.
 void requireOutputsOf(const SweepOptions& options, const std::vector<SweepFrame>& frames) {
   if (!options.contactSheet.empty() && frames.size() > kMaxSheetPictures)
@@ -77,10 +95,7 @@ void requireOutputsOf(const SweepOptions& options, const std::vector<SweepFrame>
     const SkySize size = skySizeOf(frame.loaded.scene);
     if (!frame.lacks.empty()) files.leastBytes[frame.exr] = leastBytesOfPicture(size, frame.loaded.scene.recon);
     const Scene& scene = frame.loaded.scene;
-    requireMemory(
-        frame.exr.string(),
-        memoryToRender(size, scene.recon, options.run.threads) +
-            (isIntegrated(scene) ? memoryToIntegrate(size) + memoryOfOrientations(scene, *frame.loaded.error) : 0));
+    requireMemory(frame.exr.string(), memoryOf(frame, options.run.threads));
     if (isIntegrated(scene))
       requireIntegrable(scene);
     else if (!options.error.empty())
@@ -110,7 +125,7 @@ void reportFrame(const RunOptions& run, const SweepFrame& frame, std::size_t num
 
 /// Renders what is lacking. False if a signal or the time limit, which is for the whole sweep, came first.
 bool renderLacking(const RunOptions& run, const std::vector<SweepFrame>& frames, const StopSignal& stop) {
-  SweepControl control{traceControl(run, &stop), {}};
+  SweepControl control{traceControl(run, &stop), {}, keptLight(frames, run.threads)};
   control.onFrame = [&](std::size_t frame, double seconds) {
     reportFrame(run, frames[frame], frame + 1, frames.size(), seconds);
   };
@@ -186,7 +201,7 @@ void addOptions(CLI::App& command, SweepOptions& options) {
       ->type_name("STOPS")
       ->transform(number(-100.0, 100.0));
   addErrorGoal(command, options.error,
-               "With --engine integral or mixed: the mean relative error of each frame to aim at; 1% when left out");
+               "With --engine integral or mixed: the mean relative error of each frame to aim at; 2% when left out");
   addGamut(command, options.gamut);
   command.add_option("--contact-sheet", options.contactSheet, "All frames small on one picture, with their values")
       ->type_name("FILE.png")

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "beam/ring_integral.h"
 #include "beam/sky_integral.h"
 #include "beam/tilt_integral.h"
 #include "crystal/population.h"
@@ -139,8 +138,8 @@ double widestOf(const Camera& camera) {
 
 class Sky {
  public:
-  Sky(const LoadedScene& loaded, double error)
-      : scene_(loaded.scene), error_(error), camera_(scene_.camera), sun_(scene_.sun), indices_(scene_) {
+  Sky(const LoadedScene& loaded, double error, LightStore& store)
+      : scene_(loaded.scene), error_(error), store_(store), camera_(scene_.camera), sun_(scene_.sun), indices_(scene_) {
     const Spectrum spectrum(scene_.sun.spectrum);
     colours_ = spectrum.colours();
     result_.info = skyInfoOf(loaded);
@@ -192,10 +191,10 @@ class Sky {
     return static_cast<std::size_t>(std::ranges::find_if(layers, takes) - layers.begin());
   }
 
-  PopulationSky randomSky(const PopulationSettings& population) const {
+  PopulationSky randomSky(const PopulationSettings& population) {
     const int bins = static_cast<int>(
         std::clamp(kPi * kRingsPerPixel * camera_.focalLength(), double{kFewestRings}, double{kMostRings}));
-    const RingIntegral integral = integrateRings(axisScene(population), accuracy(), bins);
+    const RingIntegral integral = integrateRings(axisScene(population), accuracy(), bins, store_.rings);
     const Rings rings = widened({integral.light, integral.error}, sun_);
     PopulationSky sky;
     sky.light = spread(rings.light, result_.info, colours_);
@@ -235,13 +234,13 @@ class Sky {
     return accuracy;
   }
 
-  PopulationSky axisSky(const PopulationSettings& settings) const {
+  PopulationSky axisSky(const PopulationSettings& settings) {
     const Population population(settings);
     const AngleQuantile& zenith = population.orientationQuantile().zenith;
     AxisScene axis = axisScene(settings);
     axis.tilt = [&](double u) { return zenith.at(u); };
     axis.oneTilt = zenith.kind == AngleQuantile::Kind::linear && zenith.width == 0.0;
-    const SkyIntegral integral = integrateSky(axis, accuracy(), camera_);
+    const SkyIntegral integral = integrateSky(axis, accuracy(), camera_, store_.bands);
     PopulationSky sky;
     for (std::size_t i = 0; i < integral.xyz.size(); ++i) {
       const auto& xyz = integral.xyz[i];
@@ -293,6 +292,7 @@ class Sky {
 
   const Scene& scene_;
   double error_;
+  LightStore& store_;
   Camera camera_;
   Sun sun_;
   IndexSampler indices_;
@@ -320,10 +320,13 @@ std::uint64_t memoryOfOrientations(const Scene& scene, double error) {
   return memoryForTilts(Camera(scene.camera), 0.5 * Sun(scene.sun).diameter(), error);
 }
 
-IntegratedSky integrateSky(const LoadedScene& loaded, double error) {
+IntegratedSky integrateSky(const LoadedScene& loaded, double error, LightStore* store) {
   if (const std::string objection = objectionToIntegratedSky(loaded.scene); !objection.empty())
     throw std::invalid_argument(objection);
-  return Sky(loaded, error).run();
+  LightStore none;
+  if (!store) store = &none;
+  store->bands.startPicture();
+  return Sky(loaded, error, *store).run();
 }
 
 }  // namespace parhelion

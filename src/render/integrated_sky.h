@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string>
 
+#include "beam/light_store.h"
 #include "picture/image.h"
 #include "scene/parse_scene.h"
 #include "sky/tally_info.h"
@@ -28,7 +29,8 @@ std::string objectionToIntegratedSky(const Scene& scene);
 std::uint64_t memoryOfOrientations(const Scene& scene, double error);
 
 /// Integrates the sky of a scene that has no objection until the picture's error is at most so much. The same bits for
-/// any number of threads. Throws std::invalid_argument for a scene that has one.
-IntegratedSky integrateSky(const LoadedScene& loaded, double error);
+/// any number of threads. Throws std::invalid_argument for a scene that has one. A store serves the next pictures; it
+/// changes no bit.
+IntegratedSky integrateSky(const LoadedScene& loaded, double error, LightStore* store = nullptr);
 
 }  // namespace parhelion

@@ -57,7 +57,7 @@ std::string objectionToMixedSky(const Scene& scene) {
   return {};
 }
 
-MixedSky mixSky(const LoadedScene& loaded, double error, const TraceControl& control) {
+MixedSky mixSky(const LoadedScene& loaded, double error, const TraceControl& control, LightStore* store) {
   if (const std::string objection = objectionToMixedSky(loaded.scene); !objection.empty())
     throw std::invalid_argument(objection);
   const LoadedScene smooth = onlyWith(loaded, isIntegrable),
@@ -67,7 +67,7 @@ MixedSky mixSky(const LoadedScene& loaded, double error, const TraceControl& con
     (isIntegrable(population) ? mixed.integrated : mixed.traced).push_back(population.name);
   if (hasLight(smooth)) {
     const RunClock clock;
-    mixed.sky = withThreads(control.threads, [&] { return integrateSky(smooth, error); });
+    mixed.sky = withThreads(control.threads, [&] { return integrateSky(smooth, error, store); });
     mixed.secondsIntegrated = clock.seconds();
   }
   if (!hasLight(rough)) return mixed;

@@ -27,6 +27,6 @@ std::string objectionToMixedSky(const Scene& scene);
 /// Integrates the populations that can be to so small an error; traces the scene's rays for all others, and
 /// reconstructs those as the scene says. The same bits for any number of threads. Throws std::invalid_argument for a
 /// scene that has an objection, and as traceRays() does. Where the control stops the rays, `report` says so.
-MixedSky mixSky(const LoadedScene& loaded, double error, const TraceControl& control = {});
+MixedSky mixSky(const LoadedScene& loaded, double error, const TraceControl& control = {}, LightStore* store = nullptr);
 
 }  // namespace parhelion

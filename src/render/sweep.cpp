@@ -23,7 +23,7 @@ constexpr std::size_t kMostTogether = 256;
 
 /// Renders a frame as render does, and tells how far its energy is open, relative. None, and nothing is written, if it
 /// was stopped before all its rays were traced.
-std::optional<double> renderFrame(const SweepFrame& frame, const TraceControl& control) {
+std::optional<double> renderFrame(const SweepFrame& frame, const TraceControl& control, LightStore& store) {
   Transaction run;
   run.claim(frame.exr);
   const LoadedScene& loaded = frame.loaded;
@@ -35,9 +35,9 @@ std::optional<double> renderFrame(const SweepFrame& frame, const TraceControl& c
   if (loaded.error) {
     MixedSky made;
     if (engine == Engine::mixed)
-      made = mixSky(loaded, *loaded.error, control);
+      made = mixSky(loaded, *loaded.error, control, &store);
     else
-      made.sky = withThreads(control.threads, [&] { return integrateSky(loaded, *loaded.error); });
+      made.sky = withThreads(control.threads, [&] { return integrateSky(loaded, *loaded.error, &store); });
     if (made.report.interrupted) return std::nullopt;
     write(made.sky.image, made.sky.info);
     return made.report.energy.imbalance();
@@ -83,13 +83,14 @@ SheetLayout layoutOf(std::span<const SweepFrame> frames) {
 SweepReport renderFrames(std::span<const SweepFrame> frames, const SweepControl& control) {
   const RunClock clock;
   SweepReport report;
+  LightStore store{BandStore(control.keptLight), {}};
   for (std::size_t i = 0; i < frames.size(); ++i) {
     if (frames[i].lacks.empty()) continue;
     const RunClock frameClock;
     TraceControl one = control.trace;
     one.timeLimit -= clock.seconds();
     if ((one.stop && *one.stop) || one.timeLimit <= 0.0) return report;
-    const std::optional<double> imbalance = renderFrame(frames[i], one);
+    const std::optional<double> imbalance = renderFrame(frames[i], one, store);
     if (!imbalance) return report;
     report.worstImbalance = std::max(report.worstImbalance, std::abs(*imbalance));
     ++report.rendered;

@@ -17,6 +17,7 @@ namespace parhelion {
 struct SweepControl {
   TraceControl trace;                                              // its time limit is that of the whole sweep
   std::function<void(std::size_t frame, double seconds)> onFrame;  // after each frame that was rendered
+  std::uint64_t keptLight = 0;                                     // bytes of it that frames may leave to the next
 };
 
 /// How a sweep went.

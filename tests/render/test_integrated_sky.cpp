@@ -157,6 +157,33 @@ TEST_CASE("an integrated sky is the same to the bit for any number of threads") 
   for (std::size_t k = 0; k < one.channels.size(); ++k) CHECK(one.channels[k].samples == three.channels[k].samples);
 }
 
+TEST_CASE("what pictures leave to the next changes no bit of them, and spares tracing") {
+  const auto frame = [](double sun, double tilt) {
+    return "[sun]\nspectrum = 550.0\nelevation = " + std::to_string(sun) +
+           "\n[[population]]\naspect = 0.3\norientation = \"plate\"\ntilt = " + std::to_string(tilt) +
+           "\n[[population]]\naspect = 1.0\norientation = \"random\"\n[camera]\nresolution = [24, 24]\n";
+  };
+  const std::pair<double, double> frames[] = {{20.0, 1.0}, {23.0, 1.0}, {23.0, 3.0}, {60.0, 1.0}};
+  // Room for all, for some bands, and for none.
+  for (const std::uint64_t room : {1'000'000'000, 3'000'000, 0}) {
+    LightStore store{BandStore(room), {}};
+    long directions = 0, alone = 0;
+    for (const auto& [sun, tilt] : frames) {
+      CAPTURE(room);
+      CAPTURE(sun);
+      const LoadedScene loaded = parseScene(frame(sun, tilt), "f.toml");
+      const IntegratedSky one = integrateSky(loaded, 0.5), next = integrateSky(loaded, 0.5, &store);
+      directions += next.directions;
+      alone += one.directions;
+      CHECK(one.error == next.error);
+      CHECK(one.info.undeviatedFraction() == next.info.undeviatedFraction());
+      for (std::size_t k = 0; k < one.image.channels.size(); ++k)
+        CHECK(one.image.channels[k].samples == next.image.channels[k].samples);
+    }
+    CHECK(directions < (room > 0 ? 0.6 : 1.0) * static_cast<double>(alone));
+  }
+}
+
 TEST_CASE("populations as layers add up to an integrated sky") {
   const IntegratedSky sky = skyOf(
       "layers = \"populations\"\n[sun]\nspectrum = 550.0\ndiameter = 0.0\n"
