@@ -33,8 +33,6 @@ constexpr double kWide = 0.03;
 // Points to a pixel's side: at most, in one that is not whole, beside the sun and in the one that the sun is in.
 constexpr int kManyPoints = 96, kBrokenPoints = 6, kBesideSun = 16, kAtSun = 64;
 
-double angle(const Vec3& a, const Vec3& b) { return portable::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)); }
-
 /// Looks rings about one elevation of the sun up.
 class RingLookUp {
  public:
@@ -253,7 +251,8 @@ void TiltSky::synthesise(const BandLight& light, Crystals& crystals) const {
       for (int k = 0; k < room; ++k) {
         const int order = 2 * k + part % 2;
         const double waves = order * kPi / mesh_.cells, place = static_cast<double>(k) / room;
-        const double fade = place < kFade ? 1.0 : 0.5 + 0.5 * portable::cos(kPi * (place - kFade) / (1.0 - kFade));
+        const double faded = std::max(place - kFade, 0.0) / (1.0 - kFade);
+        const double fade = 1.0 - faded * faded * (3.0 - 2.0 * faded);
         const double sharp = part < 2 * (channels - 1) ? 1.0 + kAlong * waves * waves : 1.0;
         const double weight = per * fade * sharp * (order == 0 ? 1.0 : 2.0);
         const auto at = static_cast<std::size_t>(part * room + k);
@@ -308,13 +307,13 @@ void TiltSky::expose(const BandLight& light, const PixelDirections& directions, 
       if (solidAngle <= 0.0) continue;
       const bool whole = directions.isWhole(x, y);
       const auto middle = camera.directionAt({x + 0.5, y + 0.5});
-      const double theta = middle ? angle(*middle, sun) : 0.5 * kPi;
+      const double fromSun = middle ? glm::distance(*middle, sun) : 1.0;
       const double size = whole ? directions.size(x, y) : std::sqrt(2.0 * solidAngle);
       int side = static_cast<int>(std::clamp(std::ceil(size / cell), 1.0, double{kManyPoints}));
       if (!whole) side = std::max(side, kBrokenPoints);
       if (size > kWide) side = std::min(2 * side, kManyPoints);
-      if (theta < 3.0 * size) side = std::max(side, kBesideSun);
-      if (theta < size) side = std::max(side, kAtSun);
+      if (fromSun < 3.0 * size) side = std::max(side, kBesideSun);
+      if (fromSun < size) side = std::max(side, kAtSun);
       toSky.clear();
       parts.clear();
       double all = 0.0;
