@@ -17,8 +17,9 @@ constexpr int kGroups = 8;
 // The first mesh: cells for 30 degrees of azimuth, and for 90 of the angle from -c.
 constexpr int kColumns = 40, kRows = 120, kMostLevel = 4;
 constexpr int kMostPoints = 1 << 12;  // a group
-// What a mesh of half as many cells differs by, times this, is the error.
-constexpr double kOfMesh = 0.6;
+// What a mesh of half as many cells differs by, times this, is a pixel's own part of the error. Where both err alike
+// that says nothing, so the mean of all pixels, relative, is added, times a second factor.
+constexpr double kOfMesh = 0.6, kOfMean = 1.0;
 
 // Light is faint if it is less than this, times the accuracy, of what a pixel has on average; and how much light the
 // picture has, more or less, of crystals' surface.
@@ -74,7 +75,7 @@ class Integration {
     while (true) {
       judge();
       const double goal = accuracy_.error;
-      if (std::hypot(outer_, mesh_) <= goal) {
+      if (result_.error <= goal) {
         result_.reached = true;
         break;
       }
@@ -215,7 +216,13 @@ class Integration {
       }
     outer_ = lightSum > 0.0 ? outerSum / lightSum : 0.0;
     mesh_ = lightSum > 0.0 ? meshSum / lightSum : 0.0;
-    result_.error = std::hypot(outer_, mesh_);
+    const double mean = kOfMean * std::hypot(outer_, mesh_);
+    double error = 0.0;
+    for (std::size_t i = 0; i < pixels; ++i) {
+      result_.variance[i] += static_cast<float>(mean * mean * light[i] * light[i]);
+      error += std::sqrt(static_cast<double>(result_.variance[i]));
+    }
+    result_.error = lightSum > 0.0 ? error / lightSum : 0.0;
     result_.directions = table_->directions();
     result_.totals = {};
     for (const SheetTotals& totals : totals_) result_.totals.add(totals, per / count);

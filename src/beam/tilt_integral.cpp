@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <numeric>
 
 #include <glm/geometric.hpp>
 
@@ -26,10 +27,11 @@ constexpr double kOfSpread = 0.5, kThickest = 2.2, kThickestBand = 0.0055;
 constexpr double kFirstError = 0.03, kBetter = 1.8;
 // Each mesh has cells smaller than the last one by this.
 constexpr double kFiner = 1.5;
-// What the coarse mesh differs by, times this, is the error.
-constexpr double kOfCoarse = 0.35;
+// What the coarse mesh differs by, times this, is a pixel's own part of the error. Where both meshes err alike that
+// says nothing, so the mean of all pixels, relative, is added, times a second factor.
+constexpr double kOfCoarse = 0.26, kOfMean = 1.25;
 // Waves that are left out leave ripples, of this share of the light beside them and of what pixels have on average.
-constexpr double kRipple = 1e-3, kFarRipple = 1e-5;
+constexpr double kRipple = 1e-3, kFarRipple = 4e-4;
 // Pixels that are narrower than a cell may have as much of the difference between their neighbours' light as this.
 constexpr double kWithinCell = 0.25;
 // What a picture needs of bands is rounded to such steps, that the next one may need the same: cosines of so many
@@ -137,9 +139,9 @@ class TiltIntegration {
       return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
     };
     const Tristimulus grey = scene_.lines.empty() ? Tristimulus{} : scene_.lines[0].xyz;
-    double mean = 0.0;
-    for (const auto& pixel : pixels_) mean += static_cast<double>(pixel[y0]);
-    const double least = kFarRipple * mean / static_cast<double>(pixels_.size());
+    double sum = 0.0;
+    for (const auto& pixel : pixels_) sum += static_cast<double>(pixel[y0]);
+    const double least = kFarRipple * sum / static_cast<double>(pixels_.size());
     forRows(height, [&](int y) {
       for (int x = 0; x < width; ++x) {
         // What a pixel's own sums say of its error is itself uncertain: its neighbours are asked, too.
@@ -172,10 +174,15 @@ class TiltIntegration {
         light[static_cast<std::size_t>(y)] += static_cast<double>(result_.xyz[i][1]);
       }
     });
-    double error = 0.0, all = 0.0;
-    for (std::size_t y = 0; y < errors.size(); ++y) {
-      error += errors[y];
-      all += light[y];
+    const auto together = [](const std::vector<double>& rows) {
+      return std::accumulate(rows.begin(), rows.end(), 0.0);
+    };
+    const double all = together(light), mean = all > 0.0 ? together(errors) / all : 0.0;
+    double error = 0.0;
+    for (std::size_t i = 0; i < pixels_.size(); ++i) {
+      const double own = kOfMean * mean * static_cast<double>(result_.xyz[i][1]);
+      result_.variance[i] += static_cast<float>(own * own);
+      error += std::sqrt(static_cast<double>(result_.variance[i]));
     }
     result_.error = all > 0.0 ? error / all : 0.0;
   }
