@@ -122,17 +122,20 @@ double Camera::solidAngleOf(Vec2 lo, Vec2 hi) const {
 std::vector<double> Camera::solidAngles() const {
   std::vector<double> all(static_cast<std::size_t>(width()) * height());
   const auto rowAt = [&](int y) { return all.begin() + static_cast<std::ptrdiff_t>(y) * width(); };
+  const auto fill = [&](auto facts, int y, auto row) {
+    if constexpr (facts.isPanorama) {
+      if (!cutsHorizon()) {
+        const auto latitudes = facts.latitudes((y - centre_.y) / focal_, (y + 1.0 - centre_.y) / focal_);
+        for (int x = 0; x < ownColumns(); ++x)
+          row[x] = facts.solidAngle(latitudes, (x - centre_.x) / focal_, (x + 1.0 - centre_.x) / focal_);
+        return;
+      }
+    }
+    for (int x = 0; x < ownColumns(); ++x) row[x] = solidAngle(x, y);
+  };
   for (int y = 0; y < ownRows(); ++y) {
     const auto row = rowAt(y);
-    if (settings_.projection == Projection::equirectangular && !cutsHorizon()) {
-      const auto latitudes =
-          projections::Equirectangular::latitudes((y - centre_.y) / focal_, (y + 1.0 - centre_.y) / focal_);
-      for (int x = 0; x < ownColumns(); ++x)
-        row[x] = projections::Equirectangular::solidAngle(latitudes, (x - centre_.x) / focal_,
-                                                          (x + 1.0 - centre_.x) / focal_);
-    } else {
-      for (int x = 0; x < ownColumns(); ++x) row[x] = solidAngle(x, y);
-    }
+    visitProjection(settings_.projection, [&](auto facts) { fill(facts, y, row); });
     std::reverse_copy(row, row + (width() - ownColumns()), row + ownColumns());
   }
   for (int y = ownRows(); y < height(); ++y) std::copy_n(rowAt(height() - 1 - y), width(), rowAt(y));

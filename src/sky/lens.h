@@ -21,6 +21,11 @@ struct Lens {
   bool isDistorted;
   Distortion distortion;
 
+  // The picture is shrunk by this much toward its centre, so that light exactly on the border or on the image circle
+  // (the horizon, the poles, the antisolar point) falls inside in spite of rounding, which is a thousand times smaller.
+  // 1e-12 of half a picture is far below a pixel.
+  static constexpr double kShrink = 1.0 - 1e-12;
+
   /// Where the sky point toward the unit world vector `toSky` appears in the picture, pixel coordinates.
   template <class T>
   PARHELION_INLINE PicturePlace<T> project(const Triple<T>& toSky) const {
@@ -69,24 +74,12 @@ struct Lens {
     return {{x, y, z}, {mirroredX, mirroredY, mirroredZ}};
   }
 
-  /// Whether a direction of the camera's frame may be in the picture: a quick answer that is right where it is no.
-  template <class Facts, class T>
-  PARHELION_INLINE MaskOf<T> mayShow(Facts facts, const Triple<T>& v) const {
-    if constexpr (facts.isAzimuthal && facts.discs == 1) return v.z >= minCosine;
-    return v.z == v.z;
-  }
-
   template <class Facts, class T>
   PARHELION_INLINE PicturePlace<T> projectFrame(Facts facts, const Triple<T>& v) const {
     return withinBorders(placeInFrame(facts, v));
   }
 
- private:
-  // The picture is shrunk by this much toward its centre, so that light exactly on the border or on the image circle
-  // (the horizon, the poles, the antisolar point) falls inside in spite of rounding, which is a thousand times smaller.
-  // 1e-12 of half a picture is far below a pixel.
-  static constexpr double kShrink = 1.0 - 1e-12;
-
+  /// A place, but `inside` only within the picture's borders.
   template <class T>
   PARHELION_INLINE PicturePlace<T> withinBorders(const PicturePlace<T>& place) const {
     const auto& [seen, x, y] = place;
@@ -94,6 +87,7 @@ struct Lens {
     return {inside, x, y};
   }
 
+ private:
   template <bool goesOn = false, class Facts, class T>
   PARHELION_INLINE PicturePlace<T> placeInFrame(Facts facts, const Triple<T>& v) const {
     if constexpr (facts.discs > 1) {

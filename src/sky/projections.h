@@ -9,6 +9,8 @@
 //   isFisheye             whether it has an image circle
 //   isAzimuthal           whether the picture is alike all around the optical axis; only then may a lens distort it
 //   isPanorama            whether x is longitude and y latitude of the camera's frame, so that a whole turn closes
+//   isFlat                whether a direction is the sum of the axis and of what its column and its row bring, but for
+//                         its length
 //   showsHemispheres      whether it always shows one or two whole hemispheres: no field of view can be chosen
 //   discs                 how many of them, side by side; each of two is a picture of the projection `ofDisc`
 //   isMirrored            whether left and right are changed over, as from outside
@@ -31,6 +33,7 @@
 //   direction(p)          its inverse; none where the picture shows no sky
 //   anywhere(p)           the same going on smoothly there
 //   rectangle(lo, hi)     solid angle (sr) of the part of the sky that a rectangle shows
+//   latitudes(lo, hi), solidAngle(latitudes, lo, hi)    the same in two steps, of a panorama
 
 #include <cassert>
 

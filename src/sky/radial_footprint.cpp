@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "sky/projections.h"
+
 namespace parhelion {
 namespace {
 
@@ -104,9 +106,10 @@ RadialFootprint::RadialFootprint(const Camera& camera, const RadialSky& sky, int
       columns_(columns),
       solidAngles_(camera.solidAngles()),
       share_(static_cast<std::size_t>(sky.bins()), 0.0) {
-  if (camera_.settings().projection == Projection::equirectangular) grid_.emplace(camera_);
-  if (camera_.settings().projection == Projection::rectilinear && camera_.settings().distortion.none())
-    flatGrid_.emplace(camera_);
+  visitProjection(camera_.settings().projection, [this](auto facts) {
+    if (facts.isPanorama) grid_.emplace(camera_);
+    if (facts.isFlat && camera_.settings().distortion.none()) flatGrid_.emplace(camera_);
+  });
 }
 
 void RadialFootprint::setRow(int y) {

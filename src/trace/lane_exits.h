@@ -4,7 +4,7 @@
 // Part of lane_code.cpp, and of nothing else.
 
 #include "optics/interface.h"
-#include "sky/lens.h"
+#include "sky/sky_view.h"
 #include "trace/lane_types.h"
 
 namespace parhelion {
@@ -26,47 +26,90 @@ void turnToWorld(const RayQueue& queue, ExitList& exits) {
   }
 }
 
-/// LaneSteps::see through the projection of these facts.
+/// What becomes of exits in one group of lanes, where `which` says so: appends those that are seen.
 template <bool kBothViews, class Facts>
-PARHELION_INLINE void seeThrough(Facts facts, const Lens& lens, const ExitList& exits, SeenLight& seen) {
-  int count = 0;
-  for (int i = 0; i < exits.count; i += kLanes) {
-    const Triple<Real> toSky = -loadTriple(exits.lightDirWorld, i);
-    const Mask real = below(i, exits.count) & (load<Real>(&exits.undeviated[i]) == 0.0) & lens.isAbove(toSky);
-    const auto [v, mirrored] = lens.bothInFrame(toSky);
-    Mask hope = lens.mayShow(facts, v);
-    if constexpr (kBothViews) hope = hope | lens.mayShow(facts, mirrored);
-    if (!anyOf(hope & real)) continue;
-
-    const PicturePlace<Real> place = lens.projectFrame(facts, v);
-    const Mask inside = place.inside & real;
-    Mask anywhere = inside, mirroredInside{};
-    PicturePlace<Real> mirroredPlace{};
-    if constexpr (kBothViews) {
-      mirroredPlace = lens.projectFrame(facts, mirrored);
-      mirroredInside = mirroredPlace.inside & real;
-      anywhere = inside | mirroredInside;
-    }
-    const auto pixelAt = [&](const PicturePlace<Real>& at, const Mask& isThere) __attribute__((always_inline)) {
-      return select(isThere, wholePart(at.y) * lens.width + wholePart(at.x), all<Real>(SeenLight::kNowhere));
-    };
-    const Compress<Real> kept(anywhere);
-    kept.store(&seen.exit[count], counting() + static_cast<double>(i));
-    kept.store(&seen.ray[count], load<Real>(&exits.ray[i]));
-    kept.store(&seen.pixel[count], pixelAt(place, inside));
-    if constexpr (kBothViews) kept.store(&seen.mirroredPixel[count], pixelAt(mirroredPlace, mirroredInside));
-    count += kept.count();
+PARHELION_INLINE void seeGroup(Facts facts, const SkyView& view, const Triple<Real>& toSky, const Mask& which,
+                               const Real& exit, const Real& ray, SeenLight& seen) {
+  const auto pixelAt = [&](const PicturePlace<Real>& at, const Mask& isThere) __attribute__((always_inline)) {
+    return select(isThere, wholePart(at.y) * view.lens.width + wholePart(at.x), all<Real>(SeenLight::kNowhere));
+  };
+  if constexpr (kBothViews) {
+    const auto [place, mirrored] = view.projectBoth(facts, toSky, which);
+    const Mask inside = place.inside & which, mirroredInside = mirrored.inside & which;
+    const Compress<Real> kept(inside | mirroredInside);
+    kept.store(&seen.exit[seen.count], exit);
+    kept.store(&seen.ray[seen.count], ray);
+    kept.store(&seen.pixel[seen.count], pixelAt(place, inside));
+    kept.store(&seen.mirroredPixel[seen.count], pixelAt(mirrored, mirroredInside));
+    seen.count += kept.count();
+  } else {
+    const PicturePlace<Real> place = view.lens.projectFrame(facts, view.lens.inFrame(toSky));
+    const Mask inside = place.inside & which;
+    const Compress<Real> kept(inside);
+    kept.store(&seen.exit[seen.count], exit);
+    kept.store(&seen.ray[seen.count], ray);
+    kept.store(&seen.pixel[seen.count], pixelAt(place, inside));
+    seen.count += kept.count();
   }
-  seen.count = count;
 }
 
-void see(const Camera& camera, bool bothViews, const ExitList& exits, SeenLight& seen) {
-  const Lens lens = camera.lens();
-  visitProjection(lens.projection, [&](auto facts) {
+/// Of the exits from place i on, those that the observer may see.
+template <bool kBothViews, class Facts>
+PARHELION_INLINE Mask mayBeSeen(Facts facts, const SkyView& view, const Triple<Real>& toSky, const ExitList& exits,
+                                int i) {
+  const Mask real = below(i, exits.count) & (load<Real>(&exits.undeviated[i]) == 0.0) & view.lens.isAbove(toSky);
+  if constexpr (!kBothViews) return real & view.mayShow(facts, toSky);
+  return real & view.mayShowEither(facts, toSky);
+}
+
+/// LaneSteps::see through a projection whose pictures show most of the sky, or nothing but what they may show.
+template <bool kBothViews, class Facts>
+PARHELION_INLINE void seeAll(Facts facts, const SkyView& view, const ExitList& exits, SeenLight& seen) {
+  seen.count = 0;
+  for (int i = 0; i < exits.count; i += kLanes) {
+    const Triple<Real> toSky = -loadTriple(exits.lightDirWorld, i);
+    const Mask which = mayBeSeen<kBothViews>(facts, view, toSky, exits, i);
+    if (anyOf(which))
+      seeGroup<kBothViews>(facts, view, toSky, which, counting() + static_cast<double>(i), load<Real>(&exits.ray[i]),
+                           seen);
+  }
+}
+
+/// LaneSteps::see through a projection whose pictures show little of the sky. Among several lanes there is nearly
+/// always one that may be seen. So those are brought together first, and the others are spared the rest.
+template <bool kBothViews, class Facts>
+PARHELION_INLINE void seeFew(Facts facts, const SkyView& view, const ExitList& exits, SeenLight& seen) {
+  int few = 0;
+  for (int i = 0; i < exits.count; i += kLanes) {
+    const Mask which = mayBeSeen<kBothViews>(facts, view, -loadTriple(exits.lightDirWorld, i), exits, i);
+    const Compress<Real> kept(which);
+    kept.store(&seen.exit[few], counting() + static_cast<double>(i));
+    few += kept.count();
+  }
+  seen.count = 0;
+  for (int i = 0; i < few; i += kLanes) {
+    const Mask which = below(i, few);
+    // What is seen is written over what was read before.
+    const Real exit = select(which, load<Real>(&seen.exit[i]), Real{});
+    seeGroup<kBothViews>(facts, view, -lookUpTriple(exits.lightDirWorld, exit), which, exit,
+                         lookUp(exits.ray.data(), exit), seen);
+  }
+}
+
+template <bool kBothViews, class Facts>
+PARHELION_INLINE void seeThrough(Facts facts, const SkyView& view, const ExitList& exits, SeenLight& seen) {
+  if constexpr (facts.isAzimuthal && !facts.isFisheye)
+    seeFew<kBothViews>(facts, view, exits, seen);
+  else
+    seeAll<kBothViews>(facts, view, exits, seen);
+}
+
+void see(const SkyView& view, bool bothViews, const ExitList& exits, SeenLight& seen) {
+  visitProjection(view.lens.projection, [&](auto facts) {
     if (bothViews)
-      seeThrough<true>(facts, lens, exits, seen);
+      seeThrough<true>(facts, view, exits, seen);
     else
-      seeThrough<false>(facts, lens, exits, seen);
+      seeThrough<false>(facts, view, exits, seen);
   });
 }
 

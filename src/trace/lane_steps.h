@@ -7,7 +7,6 @@
 
 #include "math/exact_sum.h"
 #include "math/random.h"
-#include "sky/camera.h"
 #include "trace/exit_list.h"
 #include "trace/incidence.h"
 #include "trace/path_record.h"
@@ -18,6 +17,8 @@
 #include "trace/trace_settings.h"
 
 namespace parhelion {
+
+struct SkyView;
 
 /// Bundles of rays whose start is to be drawn, and how it went.
 struct Proposals {
@@ -83,7 +84,7 @@ struct LaneSteps {
 
   /// The exits that the observer sees, without undeviated light. With `bothViews` they are those of which he sees the
   /// exit itself, or its mirror image in the sun's vertical plane, or both.
-  void (*see)(const Camera& camera, bool bothViews, const ExitList& exits, SeenLight& seen);
+  void (*see)(const SkyView& view, bool bothViews, const ExitList& exits, SeenLight& seen);
 };
 
 /// The steps for the machine's widest registers, or for those named. Throws std::invalid_argument where the machine

@@ -12,6 +12,7 @@ SkyFilm::SkyFilm(std::vector<Tally*> layers, Tally* shared, std::shared_ptr<Depo
       shared_(shared),
       mirrored_(layers_.front()->info.symmetry == TallySymmetry::mirror),
       camera_(layers_.front()->info.camera),
+      view_(camera_),
       locks_(std::move(locks)),
       buffer_(layers_, shared_, locks_),
       folded_(foldsPicture() && !layers_.front()->info.rays.empty()) {}
@@ -21,7 +22,7 @@ int SkyFilm::add(const TracedRays& traced) {
   const std::size_t room = static_cast<std::size_t>(exits.count + RayQueue::kSpare);
   if (seen_.exit.size() < room)
     for (auto* row : {&seen_.exit, &seen_.ray, &seen_.pixel, &seen_.mirroredPixel}) row->resize(room);
-  steps.see(camera_, showsBothViews(), exits, seen_);
+  steps.see(view_, showsBothViews(), exits, seen_);
 
   byBundle_.sort(queue, seen_.ray, seen_.count);
   const int views = layers_.size() > 1 ? deposit(traced, layeredDeposits_) : deposit(traced, plainDeposits_);

@@ -3,6 +3,7 @@
 
 #include "sky/camera.h"
 #include "sky/deposit_buffer.h"
+#include "sky/sky_view.h"
 #include "sky/tally.h"
 #include "trace/bundle_bins.h"
 #include "trace/film.h"
@@ -67,6 +68,7 @@ class SkyFilm : public Film {
   Tally* shared_;
   bool mirrored_;
   Camera camera_;
+  SkyView view_;
   std::shared_ptr<DepositBuffer::Locks> locks_;
   DepositBuffer buffer_;
   LayeredDeposits layeredDeposits_;

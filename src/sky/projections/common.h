@@ -37,7 +37,7 @@ inline constexpr double kRounding = 1e-15;
 
 /// What most projections are not.
 struct OrdinaryPicture {
-  static constexpr bool isPanorama = false, showsHemispheres = false, isMirrored = false;
+  static constexpr bool isPanorama = false, isFlat = false, showsHemispheres = false, isMirrored = false;
   static constexpr int discs = 1;
 };
 

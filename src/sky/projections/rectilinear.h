@@ -9,7 +9,7 @@ namespace parhelion::projections {
 
 /// r = tan theta: straight lines stay straight.
 struct Rectilinear : OrdinaryPicture {
-  static constexpr bool isFisheye = false, isAzimuthal = true, hasDiagonal = true;
+  static constexpr bool isFisheye = false, isAzimuthal = true, isFlat = true, hasDiagonal = true;
   static constexpr Range fieldOfView{0, 180, true, true}, verticalFieldOfView = fieldOfView;
   static constexpr double defaultFieldOfView = 60, defaultElevation = 0;
   static constexpr int defaultWidthPerHeight = 1;
