@@ -26,7 +26,8 @@ SkyView::SkyView(const Camera& camera)
       isUpright(lens.up.x == 0.0 && lens.up.y == 0.0),
       fullTurn(2.0 * kPi * lens.focal * Lens::kShrink),
       mirrorSum(lens.centreX + lens.place<double>({lens.forward.x, -lens.forward.y, lens.forward.z}).x),
-      // Angles are off by about 1e-15, and so are pixels, relative to a whole turn of them.
-      rounding(std::max(1e-9, 1e-13 * fullTurn)) {}
+      // Angles are off by about 1e-15, and so are pixels, relative to a whole turn of them. A whole turn's seam, whose
+      // light may be at either end, is off the picture's border by what it is shrunk, half of 1e-12.
+      rounding(std::max(1e-9, 2e-12 * fullTurn)) {}
 
 }  // namespace parhelion

@@ -2,9 +2,12 @@
 // Where exits and their mirror images are seen, many at a time, is where the camera says of each alone.
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <random>
 
 #include "../sky/look_at.h"
+#include "math/rotation.h"
 #include "sky/camera.h"
 #include "sky/sky_view.h"
 #include "trace/lane_steps.h"
@@ -98,7 +101,7 @@ std::vector<CameraSettings> lenses() {
   std::vector<CameraSettings> all;
   for (const double fieldOfView : {2.0, 60.0, 170.0}) {
     all.push_back(lookAt(Projection::rectilinear, 30.0, 20.0, 7.0, fieldOfView, 101, 52));
-    all.push_back(lookAt(Projection::rectilinear, -1.0, -10.0, 0.0, fieldOfView, 50, 99));
+    all.push_back(lookAt(Projection::rectilinear, -1.0, 0.1, 0.0, fieldOfView, 50, 99));
     all.back().horizon = Horizon::cut;
     all.push_back(lookAt(Projection::rectilinear, 20.0, 10.0, 0.0, fieldOfView, 64, 64));
     all.back().distortion = {0.02, 0.001, 0.0};
