@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "skies.h"
+#include "sky/camera.h"
 
 using namespace parhelion;
 using namespace parhelion::test;
