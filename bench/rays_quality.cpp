@@ -5,6 +5,7 @@
 #include "math/rotation.h"
 #include "rays_configurations.h"
 #include "rays_plan.h"
+#include "sky/camera.h"
 #include "stopwatch.h"
 #include "trace/expose.h"
 #include "trace/trace.h"
