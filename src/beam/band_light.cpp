@@ -175,7 +175,7 @@ RingCorner BandLight::exitAt(RingCorner corner, double index, int number) const 
 template <int C>
 void BandLight::addSegment(const Ends& ends, const LightSegments& lights, const LightSegments::Segment& segment,
                            int step, RingFilm<C>& film) const {
-  const double share = 0.5 * step / table_.columns(), faint = kFaint / mesh_.rings;
+  const double share = 0.5 * step / table_.columns(), faint = kFaint * table_.wantedShare() / mesh_.rings;
   const bool isLine = segment.from == segment.to;
   std::array<typename RingFilm<C>::Floats, LightSegments::kColours> colours{};
   for (std::size_t j = 0; j < colours.size(); ++j) {

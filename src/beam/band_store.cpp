@@ -17,7 +17,7 @@ BandStore::Bands::Bands(BandStore& store, BandKind kind)
     : store_(store),
       kind_(std::move(kind)),
       cosines_(store.cosines(kind_.mesh.cells)),
-      table_(kind_.prisms, kind_.indices, kind_.columns, kind_.mesh.bands, kind_.cutShare),
+      table_(kind_.prisms, kind_.indices, kind_.columns, kind_.mesh.bands, kind_.cutShare, kind_.wanted),
       light_(table_, *cosines_, kind_.mesh, kind_.colours, kind_.lights, kind_.fewLights) {}
 
 void BandStore::Bands::forEach(std::span<const int> numbers,

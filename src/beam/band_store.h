@@ -22,6 +22,7 @@ struct BandKind {
   BandMesh mesh;
   bool colours = false;
   LightSegments lights, fewLights;
+  const WantedPaths* wanted = nullptr;
 
   bool operator==(const BandKind&) const = default;
 };

@@ -95,7 +95,7 @@ void DirectionPatch::takeLight(int node, double perAngles, std::size_t tracer) {
     totals.byOrder[order] += ofAll * light_.byOrder[order];
   for (std::size_t e = 0; e < kPrismFaces; ++e) {
     const double outside = light_.shadow[e] * light_.reflectance[e];
-    totals.external += ofAll * outside;
+    totals.external += ofAll * (light_.mirrored[e] * light_.reflectance[e]);
     totals.cutOff += ofAll * (light_.shadow[e] - outside) * light_.cutOff[e];
   }
   forEachClass(light_, [&](int number, double light) {

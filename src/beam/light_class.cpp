@@ -29,10 +29,10 @@ Triple<double> lightDirAt(double phi, double zeta) {
   return {sinZeta * cosPhi, sinZeta * sinPhi, -cosZeta};
 }
 
-void traceAt(PrismTracer& tracer, double phi, double zeta, double towards, PrismLight& light) {
+TracedDirection tracedDirection(double phi, double zeta, double towards) {
   const double besidePhi = besidePlanes(phi, towards), besideZeta = std::clamp(zeta, kAside, 0.5 * kPi - kAside);
-  tracer.trace(vectorOf(lightDirAt(besidePhi, besideZeta)), light);
-  if (besidePhi != phi || besideZeta != zeta) tracer.meetOutside(vectorOf(lightDirAt(phi, zeta)), light);
+  return {vectorOf(lightDirAt(besidePhi, besideZeta)), vectorOf(lightDirAt(phi, zeta)),
+          besidePhi != phi || besideZeta != zeta};
 }
 
 }  // namespace parhelion

@@ -55,7 +55,7 @@ void forEachClass(const PrismLight& light, const F& f) {
     const auto e = static_cast<std::size_t>(entry);
     if (light.shadow[e] == 0.0) continue;
     const double goesIn = light.shadow[e] * (1.0 - light.reflectance[e]);
-    f(kInsideClasses + entry, light.shadow[e]);
+    if (light.mirrored[e] > 0.0) f(kInsideClasses + entry, light.mirrored[e]);
     if (!(goesIn > 0.0)) continue;
     for (int element = 0; element < kPrismElements; ++element)
       for (int exit = 0; exit < kPrismFaces; ++exit)
@@ -68,9 +68,23 @@ void forEachClass(const PrismLight& light, const F& f) {
 /// A direction of light in the crystal's frame by its azimuth and its angle from -c (rad).
 Triple<double> lightDirAt(double phi, double zeta);
 
-/// Traces light of a direction. Light in a plane of symmetry of the side faces, or across c, can go round in the prism
-/// for ever: a limit that no light beside it comes near. There what becomes of it inside is that of light 0.01 degrees
-/// beside, on the side of azimuth `towards`.
-void traceAt(PrismTracer& tracer, double phi, double zeta, double towards, PrismLight& light);
+/// Where light of a direction is traced.
+struct TracedDirection {
+  Vec3 inside, outside;
+  bool differ;
+};
+
+/// Light in a plane of symmetry of the side faces, or across c, can go round in the prism for ever: a limit that no
+/// light beside it comes near. There what becomes of it inside is that of light 0.01 degrees beside, on the side of
+/// azimuth `towards`.
+TracedDirection tracedDirection(double phi, double zeta, double towards);
+
+/// Traces light of a direction.
+template <class Tracer>
+void traceAt(Tracer& tracer, double phi, double zeta, double towards, PrismLight& light) {
+  const TracedDirection at = tracedDirection(phi, zeta, towards);
+  tracer.trace(at.inside, light);
+  if (at.differ) tracer.meetOutside(at.outside, light);
+}
 
 }  // namespace parhelion

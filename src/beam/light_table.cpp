@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "beam/wanted_tracer.h"
 #include "math/portable.h"
 #include "parallel/loops.h"
 
@@ -29,13 +30,14 @@ Between between(double place, int rows) {
 }  // namespace
 
 LightTable::LightTable(std::vector<PrismShare> prisms, std::vector<double> indices, int columns, int rows,
-                       double cutShare)
+                       double cutShare, const WantedPaths* wanted)
     : prisms_(std::move(prisms)),
       indices_(std::move(indices)),
       columns_(columns),
       rows_(rows),
       room_((columns + 1 + 3) / 4 * 4),
       cutShare_(cutShare),
+      wanted_(wanted),
       table_(static_cast<std::size_t>(rows) + 1) {
   for (int column = 0; column < room_; ++column) {
     const auto [sin, cos] = portable::sincos(azimuthAt(std::min(column, columns_)));
@@ -61,6 +63,13 @@ void LightTable::prepare(double zeta0, double zeta1) {
   forEach(missing.size(), [&](std::size_t k) { table_[static_cast<std::size_t>(missing[k])] = traced(missing[k]); });
   directions_ += static_cast<long>(missing.size() * indices_.size() * prisms_.size()) * (columns_ + 1);
   classes_ = classesOf(table_);
+  if (!wanted_) return;
+  double met = 0.0, intercepted = 0.0;
+  for (const Row& row : table_) {
+    met += row.met / (columns_ + 1);
+    for (const Totals& totals : row.totals) intercepted += totals.intercepted;
+  }
+  wantedShare_ = std::min(1.0, met / intercepted);
 }
 
 LightTable::Row LightTable::traced(int row) const {
@@ -74,7 +83,7 @@ LightTable::Row LightTable::traced(int row) const {
   for (const PrismShare& prism : prisms_) {
     const double share = prism.share / section_.surface(prism.length);
     for (std::size_t n = 0; n < indices; ++n) {
-      PrismTracer tracer(section_, prism.length, indices_[n], cutShare_);
+      WantedTracer tracer(section_, prism.length, indices_[n], cutShare_, false, wanted_);
       for (int column = 0; column <= columns_; ++column) {
         traceAt(tracer, azimuthAt(column), zeta, kPi / 12.0, light);
         const double mean = share * (column % columns_ ? 1.0 : 0.5) / columns_;
@@ -100,7 +109,7 @@ LightTable::Row LightTable::traced(int row) const {
 
 void LightTable::findClasses(Row& row) const {
   std::vector<double> light(kLightClasses, 0.0);
-  double all = 0.0;
+  double& all = row.met;
   const std::size_t size = indices_.size() * static_cast<std::size_t>(room_);
   for (std::size_t number = 0; number < light.size(); ++number) {
     if (row.slot[number] < 0) continue;

@@ -8,6 +8,7 @@
 #include "beam/light_class.h"
 #include "beam/prism_section.h"
 #include "beam/scatter_scene.h"
+#include "beam/wanted_paths.h"
 #include "math/lanes.h"
 
 namespace parhelion {
@@ -21,8 +22,9 @@ class LightTable {
   using Four = Lanes<4>::Real;
 
   /// What prisms (shares of one surface) do to light of each index. `columns` and `rows`: cells along the azimuth and
-  /// the angle. `cutShare` as PrismTracer has it.
-  LightTable(std::vector<PrismShare> prisms, std::vector<double> indices, int columns, int rows, double cutShare);
+  /// the angle. `cutShare` as PrismTracer has it. Without `wanted`, which must outlive this, all light is.
+  LightTable(std::vector<PrismShare> prisms, std::vector<double> indices, int columns, int rows, double cutShare,
+             const WantedPaths* wanted = nullptr);
 
   int columns() const { return columns_; }
   int rows() const { return rows_; }
@@ -51,6 +53,9 @@ class LightTable {
   /// The same of the rows about cell `row`, as lightAt() looks at them with strides of 1 or 2.
   std::vector<int> classesIn(int row) const;
 
+  /// A bound of how much of the light that crystals intercept is wanted, more or less; 1 where all is.
+  double wantedShare() const { return wantedShare_; }
+
   /// How much of each index's table makes the light of another index: parts that add up to 1.
   std::vector<double> partsOf(double index) const;
 
@@ -70,6 +75,7 @@ class LightTable {
  private:
   struct Row {
     bool traced = false;
+    double met = 0.0;            // all light that is wanted
     std::vector<int> classes;    // that have light
     std::vector<short> slot;     // of each class; negative without light
     std::vector<float> light;    // by slot, index and column
@@ -84,9 +90,11 @@ class LightTable {
   std::vector<double> indices_;
   int columns_, rows_, room_;
   double cutShare_;
+  const WantedPaths* wanted_;
   std::vector<double> sines_, cosines_;
   std::vector<Row> table_;
   std::vector<int> classes_;
+  double wantedShare_ = 1.0;
   long directions_ = 0;
 };
 

@@ -145,6 +145,7 @@ SheetTotals OrientationSheet::add(const SheetPoint& point, PixelFilm& film) {
   left_ = tripleOf(about.left);
   SheetTotals totals;
   for (const Run& run : runs()) {
+    if (mesh_.side == (run.upper ? CrystalSide::lower : CrystalSide::upper)) continue;
     for (const Frame& frame : run.frames) {
       const LightTable::Totals at = table_.totalsAt(frame.zeta, parts_);
       totals.intercepted += frame.weight * at.intercepted;

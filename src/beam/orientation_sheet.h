@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "beam/crystal_side.h"
 #include "beam/light_table.h"
 #include "beam/pixel_film.h"
 #include "beam/sheet_totals.h"
@@ -28,6 +29,7 @@ struct SheetMesh {
   bool hasEdge = false;  // the projection goes on smoothly beyond what the camera sees
   double widest = -2.0;  // cosine of the largest angle from the camera's axis that the picture shows; -2: all
   bool coarse = true;    // the film's fourth sum is wanted
+  CrystalSide side = CrystalSide::both;
 };
 
 /// Puts the light of a sheet of orientations into a picture. The sheet is a mesh of triangles, by the azimuth of c and

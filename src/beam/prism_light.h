@@ -25,6 +25,9 @@ struct PrismLight {
   /// Of each face, shadow (area times cosine, crystal units squared; 0 in the dark) and reflectance outside.
   std::array<double, kPrismFaces> shadow, reflectance;
 
+  /// The same shadows, 0 where what is reflected outside is not wanted.
+  std::array<double, kPrismFaces> mirrored;
+
   /// Light that meets face `exit` from inside as `element`, over the light that went in through `entry`: each time it
   /// does. What leaves there is its transmittance times as much.
   using Arrivals = std::array<std::array<double, kPrismFaces>, kPrismElements>;

@@ -50,7 +50,7 @@ void PrismTracer::meetOutside(const Vec3& lightDir, PrismLight& light) const {
   for (int face = 0; face < kPrismFaces; ++face) {
     const double cosine = -glm::dot(normalOf(face), lightDir);
     const double area = face < kUpperEnd ? section_.side[face] * length_ : section_.area;
-    light.shadow[face] = cosine > 0.0 ? cosine * area : 0.0;
+    light.shadow[face] = light.mirrored[face] = cosine > 0.0 ? cosine * area : 0.0;
     light.reflectance[face] = cosine > 0.0 ? fresnel(cosine, into_).reflectance : 1.0;
   }
 }

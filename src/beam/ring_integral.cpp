@@ -46,7 +46,7 @@ class RingIntegration {
     mesh.rings = mesh.end = rings_;
     mesh.cells = 2;
     const CosineTable cosines(mesh.cells);
-    LightTable table(scene_.prisms, scene_.indices, evenly(kColumns), mesh.bands, accuracy_.cutShare);
+    LightTable table(scene_.prisms, scene_.indices, evenly(kColumns), mesh.bands, accuracy_.cutShare, scene_.wanted);
     table.prepare(0.0, 0.5 * kPi);
     const bool colours = scene_.hasColours();
     const int lights = evenly(kLights);
@@ -131,6 +131,7 @@ void RingStore::add(const Kind& kind, const RingIntegral& rings) {
 }
 
 RingIntegral integrateRings(const AxisScene& scene, const SkyAccuracy& accuracy, int rings, RingStore& store) {
+  if (scene.wanted) return RingIntegration(scene, accuracy, rings).run();
   const RingStore::Kind kind{scene.prisms,   scene.indices,     scene.segments(kLights),
                              accuracy.error, accuracy.cutShare, rings};
   if (const RingIntegral* kept = store.find(kind)) {

@@ -103,7 +103,7 @@ class Integration {
     level_ = level;
     points_ = 0;
     table_ = std::make_unique<LightTable>(scene_.prisms, scene_.indices, kColumns << level, kRows << level,
-                                          accuracy_.cutShare);
+                                          accuracy_.cutShare, scene_.wanted);
     films_.clear();
     for (std::size_t group = 0; group < groups_; ++group)
       films_.emplace_back(static_cast<int>(lens_.width), static_cast<int>(lens_.height));
@@ -131,7 +131,8 @@ class Integration {
                    faintest(),
                    accuracy_.hasEdge,
                    accuracy_.widest,
-                   previous_.empty()};
+                   previous_.empty(),
+                   scene_.side};
     forEach(groups_, [&](std::size_t group) {
       OrientationSheet sheet(*table_, lens_, mesh);
       for (const SheetPoint& point : sheets[group]) totals_[group].add(sheet.add(point, films_[group]), 1.0);
@@ -149,7 +150,7 @@ class Integration {
   /// Light to a pixel, of one sheet, that does not matter to the accuracy.
   double faintest() const {
     const double pixel = kInPicture / (static_cast<double>(lens_.width) * lens_.height);
-    return kFaint * accuracy_.error * pixel;
+    return kFaint * accuracy_.error * table_->wantedShare() * pixel;
   }
 
   /// Takes stock: the picture and its error.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "beam/band_store.h"
+#include "beam/crystal_side.h"
 #include "beam/light_segments.h"
 #include "beam/orientation_sheet.h"
 #include "beam/sun_points.h"
@@ -25,6 +26,8 @@ struct AxisScene {
   std::vector<IndexColour> lines;             // all there is of it, each as likely; empty for continuous light
   SunFace sun;
   bool oneTilt = false;
+  CrystalSide side = CrystalSide::both;
+  const WantedPaths* wanted = nullptr;  // light that counts, by faces of a crystal whose upper end it meets
 
   /// Whether light of one place differs in more than its brightness from that of another.
   bool hasColours() const {

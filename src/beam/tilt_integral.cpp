@@ -60,7 +60,7 @@ int sunRowsOf(double radius, int cells) {
 class TiltIntegration {
  public:
   TiltIntegration(const AxisScene& scene, const SkyAccuracy& accuracy, const Camera& camera, BandStore& store)
-      : scene_(scene), accuracy_(accuracy), camera_(camera), store_(store), directions_(camera) {}
+      : scene_(scene), accuracy_(accuracy), camera_(camera), store_(scene.wanted ? own_ : store), directions_(camera) {}
 
   SkyIntegral run() {
     for (level_ = firstLevelFor(accuracy_.error);; ++level_) {
@@ -83,18 +83,21 @@ class TiltIntegration {
     mesh.rings = mesh.end = mesh.cells;
     seenRings(mesh);
     const auto cosines = store_.cosines(mesh.cells);
-    TiltSky sky(*cosines, mesh, sunRows(scene_.sun, sunRowsOf(scene_.sun.radius, mesh.cells)), scene_.tilt,
+    TiltSky sky(*cosines, mesh, sunRows(scene_.sun, sunRowsOf(scene_.sun.radius, mesh.cells)), scene_.tilt, scene_.side,
                 store_.room);
-    mesh.orders = kOrderSteps * std::ceil(sky.highestOrder() / kOrderSteps);
-    const int columns = 2 * static_cast<int>(std::lround(0.5 * kColumns * finer)), lights = kLights + 2 * level_;
     colours_ = scene_.hasColours();
-    BandStore::Bands& bands = store_.open({scene_.prisms, scene_.indices, columns, accuracy_.cutShare, mesh, colours_,
-                                           scene_.segments(lights), scene_.segments(lights / 2)});
-    const BandLight& light = bands.light();
-    const long traced = bands.directions();
     std::vector<int> numbers;
     for (int band = 0; band < mesh.bands; ++band)
       if (sky.hasBand(band)) numbers.push_back(band);
+    result_.totals = {};
+    if (numbers.empty())
+      return pixels_.assign(static_cast<std::size_t>(camera_.width()) * static_cast<std::size_t>(camera_.height()), {});
+    mesh.orders = kOrderSteps * std::ceil(sky.highestOrder() / kOrderSteps);
+    const int columns = 2 * static_cast<int>(std::lround(0.5 * kColumns * finer)), lights = kLights + 2 * level_;
+    BandStore::Bands& bands = store_.open({scene_.prisms, scene_.indices, columns, accuracy_.cutShare, mesh, colours_,
+                                           scene_.segments(lights), scene_.segments(lights / 2), scene_.wanted});
+    const BandLight& light = bands.light();
+    const long traced = bands.directions();
     sky.start(light);
     bands.forEach(numbers, [&](std::span<const NumberedBand> some) { sky.add(light, some); });
     sky.expose(light, directions_, pixels_);
@@ -190,6 +193,7 @@ class TiltIntegration {
   const AxisScene& scene_;
   SkyAccuracy accuracy_;
   const Camera& camera_;
+  BandStore own_;  // of light that is wanted, which no other picture asks for
   BandStore& store_;
   PixelDirections directions_;
   int level_ = 0;

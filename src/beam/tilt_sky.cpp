@@ -101,7 +101,7 @@ class RingLookUp {
 }  // namespace
 
 TiltSky::TiltSky(const CosineTable& cosines, const BandMesh& mesh, std::vector<SunRow> rows,
-                 const std::function<double(double)>& tilt, std::vector<AlignedVector<float>>& room)
+                 const std::function<double(double)>& tilt, CrystalSide side, std::vector<AlignedVector<float>>& room)
     : cosines_(cosines),
       mesh_(mesh),
       room_(cosines.room(mesh.cells)),
@@ -113,12 +113,12 @@ TiltSky::TiltSky(const CosineTable& cosines, const BandMesh& mesh, std::vector<S
     crystals_[k].sky = &room[2 * k];
     crystals_[k].cells = &room[2 * k + 1];
     crystals_[k].sun = std::move(rows[k]);
-    distribute(tilt, crystals_[k]);
+    distribute(tilt, side, crystals_[k]);
   });
   for (Crystals& crystals : crystals_) findOrders(crystals);
 }
 
-void TiltSky::distribute(const std::function<double(double)>& tilt, Crystals& crystals) const {
+void TiltSky::distribute(const std::function<double(double)>& tilt, CrystalSide side, Crystals& crystals) const {
   // c by its angle from the sun, up to half a turn, and its azimuth about the sun from the zenith's.
   const auto bands = static_cast<std::size_t>(mesh_.bands), cells = static_cast<std::size_t>(mesh_.cells);
   std::vector<float> film(2 * bands * cells);
@@ -159,7 +159,8 @@ void TiltSky::distribute(const std::function<double(double)>& tilt, Crystals& cr
   crystals.shares.assign(bands, 0.0);
   for (std::size_t band = 0; band < bands; ++band)
     for (std::size_t cell = 0; cell < cells; ++cell) {
-      const float share = film[band * cells + cell] + film[(2 * bands - 1 - band) * cells + (cells - 1 - cell)];
+      const float upper = film[band * cells + cell], lower = film[(2 * bands - 1 - band) * cells + (cells - 1 - cell)];
+      const float share = (side == CrystalSide::lower ? 0.0F : upper) + (side == CrystalSide::upper ? 0.0F : lower);
       shares[band * cells + cell] = share;
       crystals.shares[band] += static_cast<double>(share);
     }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "beam/band_store.h"
+#include "beam/crystal_side.h"
 #include "beam/pixel_directions.h"
 #include "beam/sun_points.h"
 
@@ -20,7 +21,7 @@ class TiltSky {
   /// `tilt` is the inverse of the distribution of tilts (rad). As many rings as cells. `room` (BandStore) must outlive
   /// this.
   TiltSky(const CosineTable& cosines, const BandMesh& mesh, std::vector<SunRow> rows,
-          const std::function<double(double)>& tilt, std::vector<AlignedVector<float>>& room);
+          const std::function<double(double)>& tilt, CrystalSide side, std::vector<AlignedVector<float>>& room);
 
   /// Whether any crystals are in a band.
   bool hasBand(int band) const { return reached_[static_cast<std::size_t>(band)]; }
@@ -52,7 +53,7 @@ class TiltSky {
     AlignedVector<float>* sky;    // sums over bands, as bands have them
     AlignedVector<float>* cells;  // by ring and cell, four channels: light per solid angle
   };
-  void distribute(const std::function<double(double)>& tilt, Crystals& crystals) const;
+  void distribute(const std::function<double(double)>& tilt, CrystalSide side, Crystals& crystals) const;
   void findOrders(Crystals& crystals);
   void synthesise(const BandLight& light, Crystals& crystals) const;
 

@@ -28,11 +28,11 @@ bool isIntegrated(const Scene& scene) {
 }
 
 void requireIntegrable(const Scene& scene) {
-  const bool mixed = scene.trace.engine == Engine::mixed;
-  const std::string objection = mixed ? objectionToMixedSky(scene) : objectionToIntegratedSky(scene);
+  if (scene.trace.engine == Engine::mixed) return;
+  const std::string objection = objectionToIntegratedSky(scene);
   if (objection.empty()) return;
   throw Unfit("engine " + std::string(nameOf(scene.trace.engine)) + ": " + objection +
-              "; rays can do it, with another engine, such as auto" + (mixed ? "" : ", or mixed for the rest alone"));
+              "; rays can do it, with another engine, such as auto, or mixed for the rest alone");
 }
 
 double integralGoal(const std::string& error) { return error.empty() ? kGoal : errorGoalIn(error); }

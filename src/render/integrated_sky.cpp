@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <stdexcept>
 
 #include "beam/sky_integral.h"
@@ -11,11 +12,12 @@
 #include "optics/spectrum.h"
 #include "optics/sun.h"
 #include "picture/colour_space.h"
+#include "render/light_parts.h"
 #include "render/prism_populations.h"
+#include "render/ring_picture.h"
 #include "render/traced_sky.h"
 #include "sky/camera.h"
 #include "sky/lens.h"
-#include "sky/radial_sky.h"
 #include "sky/radiance.h"
 
 namespace parhelion {
@@ -24,13 +26,10 @@ namespace {
 
 // Crystals of spread aspect ratios are as many.
 constexpr int kPictureAspects = 8;
-// Rings of randomly oriented crystals: so many to a pixel on the axis, within these bounds.
+// Rings of randomly oriented crystals: so many to a pixel on the axis, within these bounds. Light of some raypaths ends
+// more sharply than all of it.
 constexpr double kRingsPerPixel = 4.0;
-constexpr int kFewestRings = 1440, kMostRings = 36000;
-// Points of the sun's disc that rings are widened by: distances from its centre, and angles of half a turn about it.
-constexpr int kDiscDistances = 12, kDiscAngles = 24;
-// Rays whose light the tally of rings is given, for its whole numbers.
-constexpr double kRays = 1e7;
+constexpr int kFewestRings = 1440, kFewestOfPaths = 7200, kMostRings = 36000;
 // Beyond the farthest corner of a picture (rad).
 constexpr double kMargin = 0.02;
 
@@ -43,88 +42,6 @@ struct PopulationSky {
   long directions = 0, sheets = 0;
   bool reached = true;
 };
-
-/// Light by rings.
-struct Rings {
-  std::vector<Tristimulus> light;
-  std::vector<double> error;
-};
-
-/// Rings about the sun's centre, of rings about each of its points.
-Rings widened(const Rings& rings, const Sun& sun) {
-  if (sun.isPoint()) return rings;
-  const SunDisc disc = sun.disc();
-  const auto bins = static_cast<int>(rings.light.size());
-  const double width = kPi / bins;
-  Rings result{std::vector<Tristimulus>(rings.light.size()), std::vector<double>(rings.light.size())};
-  for (int i = 0; i < kDiscDistances; ++i) {
-    const double r = std::asin(disc.radius.at((i + 0.5) / kDiscDistances) * disc.sinRadius);
-    const double sinR = std::sin(r), cosR = std::cos(r);
-    for (int j = 0; j < kDiscAngles; ++j) {
-      const double turn = std::cos((j + 0.5) * kPi / kDiscAngles), part = 1.0 / (kDiscDistances * kDiscAngles);
-      for (int bin = 0; bin < bins; ++bin) {
-        const double angle = (bin + 0.5) * width, s = std::sin(angle), c = std::cos(angle);
-        const double onto = c * cosR - s * sinR * turn, across = s * cosR + c * sinR * turn,
-                     rest = sinR * std::sqrt(1.0 - turn * turn);
-        const double place = std::atan2(std::hypot(across, rest), onto) / width - 0.5;
-        const double before = std::floor(place), t = place - before;
-        for (const int step : {0, 1}) {
-          const int to = std::clamp(static_cast<int>(before) + step, 0, bins - 1);
-          const double share = part * (step ? t : 1.0 - t);
-          const auto from = static_cast<std::size_t>(bin), into = static_cast<std::size_t>(to);
-          for (std::size_t k = 0; k < 3; ++k) result.light[into][k] += share * rings.light[from][k];
-          result.error[into] += share * rings.error[from];
-        }
-      }
-    }
-  }
-  return result;
-}
-
-/// The light of rings in the pixels.
-std::vector<Tristimulus> spread(const std::vector<Tristimulus>& rings, const TallyInfo& about, int colours) {
-  TallyInfo info = about;
-  info.rays = {{0, static_cast<std::uint64_t>(kRays)}};
-  RadialSky radial(info, info.toSun(), colours);
-  // Up to the edges of rings: light is even within each of those that it is given in.
-  const auto bins = static_cast<double>(rings.size());
-  std::vector<Tristimulus> light(rings.size() + 1);
-  for (std::size_t k = 0; k < rings.size(); ++k)
-    for (std::size_t c = 0; c < 3; ++c) light[k + 1][c] = light[k][c] + rings[k][c];
-  const auto upTo = [&](double angle, const auto& value) {
-    const double place = std::clamp(angle / kPi * bins, 0.0, bins);
-    const auto cell = std::min(static_cast<std::size_t>(place), rings.size() - 1);
-    const double t = place - static_cast<double>(cell);
-    return (1.0 - t) * value(cell) + t * value(cell + 1);
-  };
-  const int count = radial.bins();
-  const auto edge = [&](int ring) {
-    const double chord = 2.0 * std::sqrt(2.0) * std::min(ring, count - ring) / count;
-    const double angle = 2.0 * std::asin(0.5 * chord);
-    return 2 * ring <= count ? angle : kPi - angle;
-  };
-  const Vec3& white = info.white;
-  for (int ring = 0; ring < count; ++ring) {
-    const double from = edge(ring), to = edge(ring + 1);
-    const auto within = [&](const auto& value) { return upTo(to, value) - upTo(from, value); };
-    const auto colour = [&](std::size_t c) { return kRays * within([&](std::size_t k) { return light[k][c]; }); };
-    const double y = colour(1);
-    radial.setRaw(ring, TallySlots::kY, toFixed(y));
-    radial.setRaw(ring, TallySlots::kFirstHalf, toFixed(0.5 * y));
-    radial.setRaw(ring, TallySlots::kHits, y > 0.0 ? 1 : 0);
-    if (colours == 1) continue;
-    radial.setRaw(ring, TallySlots::kX, toFixed(white.x > 0.0 ? colour(0) / white.x : 0.0));
-    radial.setRaw(ring, TallySlots::kZ, toFixed(white.z > 0.0 ? colour(2) / white.z : 0.0));
-  }
-  Tally tally(info, colours);
-  radial.spreadOver(tally);
-  std::vector<Tristimulus> pixels;
-  for (int pixel = 0; pixel < tally.pixels(); ++pixel) {
-    const Vec3 xyz = colours == 1 ? Vec3(tally.luminance(pixel)) : tally.xyz(pixel);
-    pixels.push_back({xyz.x / kRays, xyz.y / kRays, xyz.z / kRays});
-  }
-  return pixels;
-}
 
 /// Cosine of the largest angle from the camera's axis that its picture shows; -2 where there is none.
 double widestOf(const Camera& camera) {
@@ -153,23 +70,26 @@ class Sky {
     std::vector<double> squares(pixels);
     std::vector<std::vector<Tristimulus>> layers(layerNames().size(), std::vector<Tristimulus>(pixels));
     SheetTotals totals;
-    for (const PopulationSettings& population : scene_.populations) {
+    const std::vector<LightParts> parts = lightPartsOf(scene_);
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+      const PopulationSettings& population = scene_.populations[k];
       if (population.weight == 0.0) continue;
       const double weight = population.weight / all;
-      const PopulationSky sky = std::holds_alternative<RandomOrientation>(population.orientation)
-                                    ? randomSky(population)
-                                    : axisSky(population);
-      totals.add(sky.totals, weight);
-      const auto addTo = [&](std::vector<Tristimulus>& light) {
-        for (std::size_t i = 0; i < pixels; ++i)
-          for (std::size_t c = 0; c < 3; ++c) light[i][c] += weight * sky.light[i][c];
-      };
-      addTo(sum);
-      if (!layers.empty()) addTo(layers[layerOf(population.name)]);
-      for (std::size_t i = 0; i < pixels; ++i) squares[i] += weight * weight * sky.error[i] * sky.error[i];
-      result_.directions += sky.directions;
-      result_.sheets += sky.sheets;
-      result_.reached = result_.reached && sky.reached;
+      std::vector<double> errors(pixels);
+      for (const LightPart& part : parts[k]) {
+        PopulationSky sky = skyOf(population, part);
+        // Crystals intercept the same light in each of their parts.
+        if (&part != &parts[k].front()) sky.totals.intercepted = 0.0;
+        totals.add(sky.totals, weight);
+        const auto addTo = [&](std::vector<Tristimulus>& light) {
+          for (std::size_t i = 0; i < pixels; ++i)
+            for (std::size_t c = 0; c < 3; ++c) light[i][c] += weight * sky.light[i][c];
+        };
+        addTo(sum);
+        if (!layers.empty()) addTo(layers[part.layer]);
+        for (std::size_t i = 0; i < pixels; ++i) errors[i] += sky.error[i];
+      }
+      for (std::size_t i = 0; i < pixels; ++i) squares[i] += weight * weight * errors[i] * errors[i];
     }
     makeImage(sum, squares, layers, totals);
     return std::move(result_);
@@ -183,18 +103,41 @@ class Sky {
     return names;
   }
 
-  std::size_t layerOf(const std::string& population) const {
-    const auto& layers = scene_.trace.paths.layers;
-    const auto takes = [&](const LayerSettings& layer) {
-      return layer.populations.empty() || std::ranges::find(layer.populations, population) != layer.populations.end();
-    };
-    return static_cast<std::size_t>(std::ranges::find_if(layers, takes) - layers.begin());
+  /// Part of a population's light. What crystals do that stand on their heads is another thing where paths tell their
+  /// ends apart.
+  PopulationSky skyOf(const PopulationSettings& population, const LightPart& part) {
+    AxisScene axis = axisScene(population);
+    if (!part.wanted) return skyOf(population, axis);
+    axis.wanted = &*part.wanted;
+    if (part.wanted->areAlikeUpsideDown()) return skyOf(population, axis);
+    const WantedPaths below = part.wanted->upsideDown();
+    axis.side = CrystalSide::upper;
+    PopulationSky sky = skyOf(population, axis);
+    axis.side = CrystalSide::lower;
+    axis.wanted = &below;
+    const PopulationSky other = skyOf(population, axis);
+    for (std::size_t i = 0; i < sky.light.size(); ++i) {
+      for (std::size_t c = 0; c < 3; ++c) sky.light[i][c] += other.light[i][c];
+      sky.error[i] += other.error[i];
+    }
+    sky.totals.add(other.totals, 1.0);
+    return sky;
   }
 
-  PopulationSky randomSky(const PopulationSettings& population) {
-    const int bins = static_cast<int>(
-        std::clamp(kPi * kRingsPerPixel * camera_.focalLength(), double{kFewestRings}, double{kMostRings}));
-    const RingIntegral integral = integrateRings(axisScene(population), accuracy(), bins, store_.rings);
+  PopulationSky skyOf(const PopulationSettings& population, const AxisScene& axis) {
+    const bool isRandom = std::holds_alternative<RandomOrientation>(population.orientation);
+    PopulationSky sky = isRandom ? randomSky(axis) : axisSky(axis);
+    result_.directions += sky.directions;
+    result_.sheets += sky.sheets;
+    result_.reached = result_.reached && sky.reached;
+    return sky;
+  }
+
+  PopulationSky randomSky(const AxisScene& axis) {
+    const double fewest = axis.wanted ? kFewestOfPaths : kFewestRings;
+    const int bins =
+        static_cast<int>(std::clamp(kPi * kRingsPerPixel * camera_.focalLength(), fewest, double{kMostRings}));
+    const RingIntegral integral = integrateRings(axis, accuracy(axis), bins, store_.rings);
     const Rings rings = widened({integral.light, integral.error}, sun_);
     PopulationSky sky;
     sky.light = spread(rings.light, result_.info, colours_);
@@ -208,7 +151,6 @@ class Sky {
     return sky;
   }
 
-  /// All of a population but its tilts.
   AxisScene axisScene(const PopulationSettings& settings) const {
     AxisScene axis;
     axis.prisms = prismsOf(settings, kPictureAspects);
@@ -221,12 +163,18 @@ class Sky {
     axis.light = [&](double u) { return indices_.at(u); };
     axis.lines = indices_.lines();
     axis.sun = {sun_.toCentre(), 0.5 * sun_.diameter(), [&](double angle) { return sun_.radiance(angle); }};
+    if (std::holds_alternative<RandomOrientation>(settings.orientation)) return axis;
+    const auto population = std::make_shared<Population>(settings);  // which has the table of tilts
+    const AngleQuantile& zenith = population->orientationQuantile().zenith;
+    axis.tilt = [population, &zenith](double u) { return zenith.at(u); };
+    axis.oneTilt = zenith.kind == AngleQuantile::Kind::linear && zenith.width == 0.0;
     return axis;
   }
 
-  SkyAccuracy accuracy() const {
+  SkyAccuracy accuracy(const AxisScene& axis) const {
     SkyAccuracy accuracy;
-    accuracy.error = error_;
+    const bool isDark = axis.wanted && axis.wanted->isNothing();
+    accuracy.error = isDark ? 1.0 : error_;
     accuracy.seed = scene_.trace.seed;
     accuracy.folds = camera_.isMirrorSymmetric() && sun_.toCentre().y == 0.0;
     accuracy.hasEdge = !isPanorama(camera_.settings().projection) && camera_.seam() == 0.0;
@@ -234,13 +182,8 @@ class Sky {
     return accuracy;
   }
 
-  PopulationSky axisSky(const PopulationSettings& settings) {
-    const Population population(settings);
-    const AngleQuantile& zenith = population.orientationQuantile().zenith;
-    AxisScene axis = axisScene(settings);
-    axis.tilt = [&](double u) { return zenith.at(u); };
-    axis.oneTilt = zenith.kind == AngleQuantile::Kind::linear && zenith.width == 0.0;
-    const SkyIntegral integral = integrateSky(axis, accuracy(), camera_, store_.bands);
+  PopulationSky axisSky(const AxisScene& axis) {
+    const SkyIntegral integral = integrateSky(axis, accuracy(axis), camera_, store_.bands);
     PopulationSky sky;
     for (std::size_t i = 0; i < integral.xyz.size(); ++i) {
       const auto& xyz = integral.xyz[i];
@@ -303,12 +246,9 @@ class Sky {
 }  // namespace
 
 std::string objectionToIntegratedSky(const Scene& scene) {
-  if (scene.trace.paths.filter) return "light is filtered by its raypaths";
-  for (const LayerSettings& layer : scene.trace.paths.layers)
-    if (layer.paths || layer.tilt) return "layer " + layer.name + " tells light apart by more than its population";
-  for (const PopulationSettings& population : scene.populations)
-    if (const std::string objection = objectionTo(population, false); !objection.empty())
-      return "population " + population.name + " " + objection;
+  const std::vector<std::string> objections = objectionsToIntegrating(scene);
+  for (std::size_t k = 0; k < objections.size(); ++k)
+    if (!objections[k].empty()) return "population " + scene.populations[k].name + " " + objections[k];
   return {};
 }
 

@@ -2,12 +2,11 @@
 #include "render/mixed_sky.h"
 
 #include <algorithm>
-#include <stdexcept>
 
 #include "parallel/run_clock.h"
 #include "parallel/threads.h"
 #include "picture/image.h"
-#include "render/prism_populations.h"
+#include "render/light_parts.h"
 #include "render/sky_files.h"
 #include "render/traced_sky.h"
 #include "sky/radiance.h"
@@ -16,13 +15,19 @@ namespace parhelion {
 
 namespace {
 
-bool isIntegrable(const PopulationSettings& population) { return objectionTo(population, false).empty(); }
+/// By population.
+std::vector<bool> integrable(const Scene& scene) {
+  std::vector<bool> result;
+  for (const std::string& objection : objectionsToIntegrating(scene)) result.push_back(objection.empty());
+  return result;
+}
 
-/// The scene with some of its populations alone.
-template <class Keep>
-LoadedScene onlyWith(const LoadedScene& loaded, const Keep& keep) {
+/// The scene with those of its populations alone that are integrable, or that are not.
+LoadedScene onlyWith(const LoadedScene& loaded, const std::vector<bool>& isIntegrable, bool wanted) {
   LoadedScene part = loaded;
-  std::erase_if(part.scene.populations, [&](const PopulationSettings& one) { return !keep(one); });
+  part.scene.populations.clear();
+  for (std::size_t k = 0; k < isIntegrable.size(); ++k)
+    if (isIntegrable[k] == wanted) part.scene.populations.push_back(loaded.scene.populations[k]);
   part.scene.trace.engine = Engine::automatic;
   return part;
 }
@@ -45,26 +50,20 @@ void mix(Image& image, float a, const Image& other, float b) {
 }  // namespace
 
 std::uint64_t raysOf(const Scene& scene) {
-  const auto isTraced = [](const PopulationSettings& one) { return one.weight > 0.0 && !isIntegrable(one); };
-  const bool integrated = scene.trace.engine == Engine::integral ||
-                          (scene.trace.engine == Engine::mixed && std::ranges::none_of(scene.populations, isTraced));
-  return integrated ? 0 : scene.trace.rays;
-}
-
-std::string objectionToMixedSky(const Scene& scene) {
-  if (scene.trace.paths.filter) return "light is filtered by its raypaths";
-  if (!scene.trace.paths.layers.empty()) return "light is told apart by layers";
-  return {};
+  if (scene.trace.engine == Engine::integral) return 0;
+  if (scene.trace.engine != Engine::mixed) return scene.trace.rays;
+  const std::vector<bool> isIntegrable = integrable(scene);
+  for (std::size_t k = 0; k < isIntegrable.size(); ++k)
+    if (scene.populations[k].weight > 0.0 && !isIntegrable[k]) return scene.trace.rays;
+  return 0;
 }
 
 MixedSky mixSky(const LoadedScene& loaded, double error, const TraceControl& control, LightStore* store) {
-  if (const std::string objection = objectionToMixedSky(loaded.scene); !objection.empty())
-    throw std::invalid_argument(objection);
-  const LoadedScene smooth = onlyWith(loaded, isIntegrable),
-                    rough = onlyWith(loaded, [](const auto&one) { return !isIntegrable(one); });
+  const std::vector<bool> isIntegrable = integrable(loaded.scene);
+  const LoadedScene smooth = onlyWith(loaded, isIntegrable, true), rough = onlyWith(loaded, isIntegrable, false);
   MixedSky mixed;
-  for (const PopulationSettings& population : loaded.scene.populations)
-    (isIntegrable(population) ? mixed.integrated : mixed.traced).push_back(population.name);
+  for (std::size_t k = 0; k < isIntegrable.size(); ++k)
+    (isIntegrable[k] ? mixed.integrated : mixed.traced).push_back(loaded.scene.populations[k].name);
   if (hasLight(smooth)) {
     const RunClock clock;
     mixed.sky = withThreads(control.threads, [&] { return integrateSky(smooth, error, store); });
@@ -75,7 +74,7 @@ MixedSky mixSky(const LoadedScene& loaded, double error, const TraceControl& con
   const Cloud all = cloudByLight(loaded.scene);
   double traced = 0.0;
   for (std::size_t k = 0; k < loaded.scene.populations.size(); ++k)
-    if (!isIntegrable(loaded.scene.populations[k])) traced += all.lightShares()[k];
+    if (!isIntegrable[k]) traced += all.lightShares()[k];
   const TracedSky rays = traceSky(rough, cloudOf(rough.scene), control);
   mixed.report = rays.report;
   if (rays.report.interrupted) return mixed;

@@ -21,12 +21,9 @@ struct MixedSky {
 /// The rays that a scene's picture takes: none where all is integrated, else the scene's.
 std::uint64_t raysOf(const Scene& scene);
 
-/// What keeps a scene from being made so, in one line; empty if nothing does.
-std::string objectionToMixedSky(const Scene& scene);
-
 /// Integrates the populations that can be to so small an error; traces the scene's rays for all others, and
-/// reconstructs those as the scene says. The same bits for any number of threads. Throws std::invalid_argument for a
-/// scene that has an objection, and as traceRays() does. Where the control stops the rays, `report` says so.
+/// reconstructs those as the scene says. The same bits for any number of threads. Throws as traceRays() and
+/// lightPartsOf() do. Where the control stops the rays, `report` says so.
 MixedSky mixSky(const LoadedScene& loaded, double error, const TraceControl& control = {}, LightStore* store = nullptr);
 
 }  // namespace parhelion

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/light_parts.h"
+
+#include <algorithm>
+
+#include "render/prism_populations.h"
+#include "render/traced_sky.h"
+#include "trace/path_plan.h"
+
+namespace parhelion {
+
+namespace {
+
+struct PopulationPlan {
+  LightParts parts;
+  std::string objection;
+};
+
+bool isOf(const LayerSettings& layer, const std::string& population) {
+  return layer.populations.empty() || std::ranges::find(layer.populations, population) != layer.populations.end();
+}
+
+bool tellsPathsApart(const PathSettings& paths) {
+  return paths.filter ||
+         std::ranges::any_of(paths.layers, [](const LayerSettings& layer) { return layer.paths.has_value(); });
+}
+
+/// The light of a population whose crystals' faces have these numbers, by layer; what no layer has is left out.
+LightParts partsByPath(const PathPlan& plan, int population, const std::vector<int>& numbers) {
+  const PathAutomaton& automaton = plan.automaton(population);
+  LightParts parts;
+  for (int layer = 0; layer <= plan.layers(); ++layer) {
+    std::vector<bool> wanted;
+    for (int state = 0; state < automaton.states(); ++state)
+      wanted.push_back(plan.keeps(population, state) &&
+                       plan.layersOf(population)[static_cast<std::size_t>(state)] == layer);
+    WantedPaths paths(automaton, numbers, std::move(wanted));
+    const bool isAll = paths.others().isNothing();
+    // Crystals without any light that is wanted count as what they intercept.
+    if (paths.isNothing() && !(layer == plan.layers() && parts.empty())) continue;
+    parts.push_back({static_cast<std::size_t>(layer), std::nullopt});
+    if (!isAll) parts.back().wanted = std::move(paths);
+  }
+  return parts;
+}
+
+std::vector<PopulationPlan> plansOf(const Scene& scene) {
+  const PathSettings& paths = scene.trace.paths;
+  std::optional<Cloud> cloud;
+  std::optional<PathPlan> plan;
+  if (tellsPathsApart(paths)) {
+    cloud.emplace(cloudByLight(scene));
+    plan.emplace(*cloud, paths);
+  }
+  std::vector<PopulationPlan> plans;
+  for (std::size_t k = 0; k < scene.populations.size(); ++k) {
+    const PopulationSettings& population = scene.populations[k];
+    PopulationPlan own{{}, objectionTo(population, false)};
+    for (const LayerSettings& layer : paths.layers)
+      if (own.objection.empty() && layer.tilt && isOf(layer, population.name))
+        own.objection = "has light that the layer " + layer.name + " tells apart by tilts";
+    if (own.objection.empty() && !plan) {
+      const auto first = std::ranges::find_if(paths.layers, [&](const auto& l) { return isOf(l, population.name); });
+      own.parts = {{static_cast<std::size_t>(first - paths.layers.begin()), std::nullopt}};
+    } else if (own.objection.empty()) {
+      std::vector<int> numbers;
+      for (const Face& face : cloud->populations()[k].mesh().faces()) numbers.push_back(face.number);
+      own.parts = partsByPath(*plan, static_cast<int>(k), numbers);
+      if (std::ranges::any_of(own.parts, [](const auto& p) { return p.wanted && !p.wanted->areAlikeAboutC(); })) {
+        own.objection = "has raypaths told apart by side faces that are alike, as by symmetry = none";
+        own.parts.clear();
+      }
+    }
+    plans.push_back(std::move(own));
+  }
+  return plans;
+}
+
+}  // namespace
+
+std::vector<LightParts> lightPartsOf(const Scene& scene) {
+  std::vector<LightParts> parts;
+  for (PopulationPlan& plan : plansOf(scene)) parts.push_back(std::move(plan.parts));
+  return parts;
+}
+
+std::vector<std::string> objectionsToIntegrating(const Scene& scene) {
+  std::vector<std::string> objections;
+  for (PopulationPlan& plan : plansOf(scene)) objections.push_back(std::move(plan.objection));
+  return objections;
+}
+
+}  // namespace parhelion
