@@ -21,7 +21,7 @@ namespace {
 /// Bins of 5 degrees over the whole sphere.
 const std::string kBins =
     "[camera]\nprojection = \"equirectangular\"\nfov_horizontal = 360.0\nresolution = [72, 36]\n"
-    "elevation = 0.0\n[recon]\nmethod = \"none\"\n[trace]\nseed = 9\nrays = \"4M\"\n";
+    "elevation = 0.0\n[recon]\nmethod = \"none\"\n[trace]\nseed = 9\nrays = \"2M\"\n";
 
 const std::string kPlates = "[[population]]\nname = \"plates\"\naspect = 0.3\norientation = \"plate\"\ntilt = 2.0\n";
 const std::string kAtRest = "[[population]]\nname = \"still\"\naspect = 2.0\norientation = \"column\"\ntilt = 0.0\n";
@@ -86,18 +86,18 @@ void checkFilters(const std::string& scene, const std::vector<std::string>& filt
 }  // namespace
 
 TEST_CASE("rays agree with integrated skies of plates whose light took some raypaths") {
-  checkFilters(sun(20.0) + kPlates, {"3-5", "1-3", "3-2", "not 3-5", "3-*-2"}, 8);
+  checkFilters(sun(20.0) + kPlates, {"3-5", "1-3", "not 3-5", "3-*-5"}, 5);
   // Under a sun so low light meets the lower ends of some plates, the upper ones of others.
-  checkFilters(sun(1.0) + kPlates, {"1-3|3-1-5", "2-*"}, 8);
+  checkFilters(sun(1.0) + kPlates, {"1-3|3-1-5"}, 5);
 }
 
 TEST_CASE("rays agree with integrated skies of columns whose light took some raypaths") {
-  checkFilters(sun(30.0) + kColumns, {"3-5", "3-1-5, symmetry = crystal", "prism", "22° halo|upper tangent arc"}, 5);
-  checkFilters(sun(45.0, "0.0") + kAtRest, {"3-5", "1-3", "3-1-5|3-5-7-3"}, 5);
+  checkFilters(sun(30.0) + kColumns, {"3-5", "22° halo|upper tangent arc"}, 5);
+  checkFilters(sun(45.0, "0.0") + kAtRest, {"3-5", "1-3|3-1-5"}, 5);
 }
 
 TEST_CASE("rays agree with integrated skies of random crystals whose light took some raypaths") {
-  checkFilters(sun(10.0) + kRandom, {"3-5", "1-3", "1-2-1", "*-basal-*, hits = 2..4", "*-basal-*"}, 20);
+  checkFilters(sun(10.0) + kRandom, {"3-5", "1-3", "1-2-1", "*-basal-*"}, 20);
 }
 
 TEST_CASE("layers of an integrated sky are those of rays, and add up to it") {
@@ -174,7 +174,7 @@ TEST_CASE("one more population is followed by rays where its paths are told apar
   CHECK_THROWS_AS(integrateSky(loaded, 0.1), std::invalid_argument);
   LoadedScene mixed = loaded;
   mixed.scene.trace.engine = Engine::mixed;
-  CHECK(raysOf(mixed.scene) == 4'000'000);
+  CHECK(raysOf(mixed.scene) == 2'000'000);
 }
 
 TEST_CASE("a layer by tilts is followed by rays") {
