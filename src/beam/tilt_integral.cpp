@@ -29,9 +29,11 @@ constexpr double kFirstError = 0.03, kBetter = 1.8;
 constexpr double kFiner = 1.5;
 // What the coarse mesh differs by, times this, is a pixel's own part of the error. Where both meshes err alike that
 // says nothing, so the mean of all pixels, relative, is added, times a second factor.
-constexpr double kOfCoarse = 0.26, kOfMean = 1.25;
+constexpr double kOfCoarse = 0.35, kOfMean = 0.6;
+// The same where tilts are spread by less than a cell, and meshes get better but by their fineness.
+constexpr double kOfCoarseAtRest = 1.2;
 // Waves that are left out leave ripples, of this share of the light beside them and of what pixels have on average.
-constexpr double kRipple = 1e-3, kFarRipple = 4e-4;
+constexpr double kRipple = 1e-3, kFarRipple = 3e-4;
 // Pixels that are narrower than a cell may have as much of the difference between their neighbours' light as this.
 constexpr double kWithinCell = 0.25;
 // What a picture needs of bands is rounded to such steps, that the next one may need the same: cosines of so many
@@ -74,7 +76,7 @@ class TiltIntegration {
 
  private:
   void integrate() {
-    const double finer = std::pow(kFiner, level_), spread = 0.5 * std::abs(scene_.tilt(0.84) - scene_.tilt(0.16));
+    const double finer = std::pow(kFiner, level_), spread = spreadOfTilts();
     const double thick =
         std::clamp(kOfSpread * spread / finer, cell(), std::max(std::min(kThickest * cell(), kThickestBand), cell()));
     BandMesh mesh;
@@ -106,6 +108,12 @@ class TiltIntegration {
     result_.sheets += static_cast<long>(numbers.size());
   }
 
+  double spreadOfTilts() const { return 0.5 * std::abs(scene_.tilt(0.84) - scene_.tilt(0.16)); }
+
+  double ofCoarse() const {
+    return kOfCoarse + (kOfCoarseAtRest - kOfCoarse) * std::clamp(1.0 - spreadOfTilts() / cell(), 0.0, 1.0);
+  }
+
   double cell() const { return cellOf(blurOf(camera_, scene_.sun.radius), level_); }
 
   /// Rings that the picture shows, and those beside them.
@@ -133,6 +141,7 @@ class TiltIntegration {
   }
 
   void judge() {
+    const double factor = ofCoarse();
     const int width = camera_.width(), height = camera_.height();
     result_.xyz.resize(pixels_.size());
     result_.variance.resize(pixels_.size());
@@ -164,10 +173,10 @@ class TiltIntegration {
         if (directions_.width(x, y) < cell()) {
           // Light is not told apart within a cell.
           const double apart = kWithinCell * (highest - lowest);
-          most += apart * apart / (kOfCoarse * kOfCoarse);
+          most += apart * apart / (factor * factor);
         }
         const double scale = colours_ ? 1.0 : grey[1];
-        const double variance = kOfCoarse * kOfCoarse * scale * scale * most;
+        const double variance = factor * factor * scale * scale * most;
         result_.variance[i] = static_cast<float>(variance);
         const auto& pixel = pixels_[i];
         for (std::size_t c = 0; c < 3; ++c)
