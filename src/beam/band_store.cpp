@@ -52,15 +52,16 @@ void BandStore::Bands::forEach(std::span<const int> numbers,
   }
 }
 
-/// Bands that no picture since that one has used; their memory is for the next to be made.
+/// Drops bands that no picture since that one has used. The memory of some is for the next to be made.
 void BandStore::Bands::drop(long beforePicture) {
+  std::erase_if(made_, [](const BandLight::Band& band) { return band.lit.empty(); });
   for (auto one = kept_.begin(); one != kept_.end();) {
     if (one->second.lastPicture >= beforePicture) {
       ++one;
       continue;
     }
     store_.held_ -= bytesEach();
-    made_.push_back(std::move(one->second.band));
+    if (made_.size() < kAtOnce) made_.push_back(std::move(one->second.band));
     one = kept_.erase(one);
   }
 }

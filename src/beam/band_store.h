@@ -39,6 +39,8 @@ class BandStore {
  public:
   /// Keeps at most so many bytes of bands. With 0 there is nothing left of any kind once another is asked for.
   explicit BandStore(std::uint64_t mostBytes = 0) : mostBytes_(mostBytes) {}
+  BandStore(const BandStore&) = delete;  // kinds of bands refer to it
+  BandStore& operator=(const BandStore&) = delete;
 
   /// Memory that pictures are made in, one after the other: to have it anew for each takes longer than to use it.
   std::vector<AlignedVector<float>> room;
