@@ -29,7 +29,7 @@ constexpr double kFirstError = 0.03, kBetter = 1.8;
 constexpr double kFiner = 1.5;
 // What the coarse mesh differs by, times this, is a pixel's own part of the error. Where both meshes err alike that
 // says nothing, so the mean of all pixels, relative, is added, times a second factor.
-constexpr double kOfCoarse = 0.35, kOfMean = 0.6;
+constexpr double kOfCoarse = 0.35, kOfMean = 0.75;
 // The same where tilts are spread by less than a cell, and meshes get better but by their fineness.
 constexpr double kOfCoarseAtRest = 1.2;
 // Waves that are left out leave ripples, of this share of the light beside them and of what pixels have on average.
