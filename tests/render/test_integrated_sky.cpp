@@ -92,7 +92,7 @@ void holdAgainstRays(int first) {
     const std::string scene = drawnScene(random);
     if (k < first) continue;
     CAPTURE(scene);
-    const Agreement agreement = compare(scene, 0.03);
+    const Agreement agreement = compare(scene, 0.05);
     CHECK(agreement.bins > 20);
     CHECK(agreement.beyond == 0);
   }
