@@ -6,13 +6,6 @@
 
 namespace parhelion {
 
-namespace {
-
-// Bands that are made side by side.
-constexpr std::size_t kAtOnce = 8;
-
-}  // namespace
-
 BandStore::Bands::Bands(BandStore& store, BandKind kind)
     : store_(store),
       kind_(std::move(kind)),

@@ -42,6 +42,9 @@ class BandStore {
   BandStore(const BandStore&) = delete;  // kinds of bands refer to it
   BandStore& operator=(const BandStore&) = delete;
 
+  /// Bands that are made side by side.
+  static constexpr std::size_t kAtOnce = 8;
+
   /// Memory that pictures are made in, one after the other: to have it anew for each takes longer than to use it.
   std::vector<AlignedVector<float>> room;
 

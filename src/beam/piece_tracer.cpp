@@ -19,11 +19,6 @@ constexpr double kGivenUp = 1e-3;
 // Light that no face lets through is given up after so many of them.
 constexpr int kMostFaces = 5000;
 
-Vec3 normalOf(int face) {
-  const auto [x, y, z] = normalOfPrismFace<double>(face);
-  return {x, y, z};
-}
-
 }  // namespace
 
 PieceTracer::PieceTracer(const PrismSection& section, double length, double index, double cutShare,
@@ -40,7 +35,7 @@ void PieceTracer::trace(const Vec3& lightDir, PrismLight& light) {
     arrived_ = &light.arrived[face];
     cutOff_ = &light.cutOff[face];
     smallest_ = least / goesIn;
-    const Vec3 normal = normalOf(face);
+    const Vec3 normal = normalVectorOf(face);
     const double cosine = -glm::dot(normal, lightDir);
     begin(face, refract(lightDir, normal, cosine, fresnel(cosine, into_).cosTheta_t, into_));
   }
@@ -80,7 +75,7 @@ PieceTracer::Ahead PieceTracer::aheadOf(const Vec3& direction) const {
   Ahead ahead;
   ahead.count = 0;
   for (int face = 0; face < kPrismFaces; ++face) {
-    const double cosine = glm::dot(normalOf(face), direction);
+    const double cosine = glm::dot(normalVectorOf(face), direction);
     if (cosine <= kAlong) continue;
     ahead.face[ahead.count] = face;
     ahead.cosine[ahead.count++] = cosine;
@@ -165,7 +160,7 @@ bool PieceTracer::goesOnFrom(Beam& beam, int face, double cosine) {
     *cutOff_ += beam.share;
     return false;
   }
-  beam.direction -= (2.0 * cosine) * normalOf(face);
+  beam.direction -= (2.0 * cosine) * normalVectorOf(face);
   const int plane = beam.element % kPlaneElements, odd = beam.element - plane;
   beam.element =
       face < kUpperEnd ? afterReflection(plane, face) + odd : (beam.element + kPlaneElements) % kPrismElements;

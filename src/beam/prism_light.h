@@ -5,6 +5,7 @@
 
 #include "beam/prism_group.h"
 #include "math/arctangent.h"
+#include "math/conventions.h"
 #include "math/lanes.h"
 #include "optics/interface.h"
 
@@ -57,6 +58,11 @@ PARHELION_INLINE Triple<T> normalOfPrismFace(int face) {
                                                {-1.0, 0.0, 0.0}, {-0.5, -kWide, 0.0}, {0.5, -kWide, 0.0},
                                                {0.0, 0.0, 1.0},  {0.0, 0.0, -1.0}};
   return {all<T>(kNormals[face][0]), all<T>(kNormals[face][1]), all<T>(kNormals[face][2])};
+}
+
+inline Vec3 normalVectorOf(int face) {
+  const auto [x, y, z] = normalOfPrismFace<double>(face);
+  return {x, y, z};
 }
 
 /// Where light of one class goes; of a single direction, or of the lanes of T. Vectors in the crystal's frame.

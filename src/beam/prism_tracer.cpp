@@ -28,11 +28,6 @@ constexpr double kNothing = 1e-12;
 // What meanOfWay() is where light that entered by a side begins.
 constexpr double kStart = 0.5;
 
-Vec3 normalOf(int face) {
-  const auto [x, y, z] = normalOfPrismFace<double>(face);
-  return {x, y, z};
-}
-
 /// The mean of max(0, y) over y from y0 to y1.
 double meanAbove(double y0, double y1) {
   constexpr double kShort = 1e-6;
@@ -48,7 +43,7 @@ PrismTracer::PrismTracer(const PrismSection& section, double length, double inde
 
 void PrismTracer::meetOutside(const Vec3& lightDir, PrismLight& light) const {
   for (int face = 0; face < kPrismFaces; ++face) {
-    const double cosine = -glm::dot(normalOf(face), lightDir);
+    const double cosine = -glm::dot(normalVectorOf(face), lightDir);
     const double area = face < kUpperEnd ? section_.side[face] * length_ : section_.area;
     light.shadow[face] = light.mirrored[face] = cosine > 0.0 ? cosine * area : 0.0;
     light.reflectance[face] = cosine > 0.0 ? fresnel(cosine, into_).reflectance : 1.0;
@@ -68,7 +63,7 @@ void PrismTracer::trace(const Vec3& lightDir, PrismLight& light) {
       for (auto& exits : light.arrived[face]) exits.fill(0.0);
       continue;
     }
-    const Vec3 normal = normalOf(face);
+    const Vec3 normal = normalVectorOf(face);
     const double cosine = -glm::dot(normal, lightDir);
     goesIn_ = goesIn;
     smallest_ = least / goesIn;

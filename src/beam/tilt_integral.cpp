@@ -224,8 +224,9 @@ std::uint64_t memoryForTilts(const Camera& camera, double sunRadius, double erro
                rows = sunRadius > 0.0 ? sunRowsOf(sunRadius, static_cast<int>(cells)) : 1;
   // Four floats for each cell of rings: of pieces of work, of each elevation of the sun twice; for each order, of bands
   // and of elevations, of which there are less near the sun.
-  constexpr double kBytes = 16.0, kPieces = 4.0, kAtOnce = 8.0, kShareOfOrders = 0.7;
-  return static_cast<std::uint64_t>(kBytes * square * (kPieces + 2.0 * rows + kShareOfOrders * (kAtOnce + rows)));
+  constexpr double kBytes = 16.0, kPieces = 4.0, kShareOfOrders = 0.7;
+  constexpr auto kMade = static_cast<double>(BandStore::kAtOnce);
+  return static_cast<std::uint64_t>(kBytes * square * (kPieces + 2.0 * rows + kShareOfOrders * (kMade + rows)));
 }
 
 SkyIntegral integrateTilts(const AxisScene& scene, const SkyAccuracy& accuracy, const Camera& camera,

@@ -16,10 +16,6 @@ struct PopulationPlan {
   std::string objection;
 };
 
-bool isOf(const LayerSettings& layer, const std::string& population) {
-  return layer.populations.empty() || std::ranges::find(layer.populations, population) != layer.populations.end();
-}
-
 bool tellsPathsApart(const PathSettings& paths) {
   return paths.filter ||
          std::ranges::any_of(paths.layers, [](const LayerSettings& layer) { return layer.paths.has_value(); });
@@ -57,10 +53,10 @@ std::vector<PopulationPlan> plansOf(const Scene& scene) {
     const PopulationSettings& population = scene.populations[k];
     PopulationPlan own{{}, objectionTo(population, false)};
     for (const LayerSettings& layer : paths.layers)
-      if (own.objection.empty() && layer.tilt && isOf(layer, population.name))
+      if (own.objection.empty() && layer.tilt && layer.isOf(population.name))
         own.objection = "has light that the layer " + layer.name + " tells apart by tilts";
     if (own.objection.empty() && !plan) {
-      const auto first = std::ranges::find_if(paths.layers, [&](const auto& l) { return isOf(l, population.name); });
+      const auto first = std::ranges::find_if(paths.layers, [&](const auto& l) { return l.isOf(population.name); });
       own.parts = {{static_cast<std::size_t>(first - paths.layers.begin()), std::nullopt}};
     } else if (own.objection.empty()) {
       std::vector<int> numbers;

@@ -66,7 +66,7 @@ class SumLines {
   bool isBlank(std::size_t line) const { return !written_[line / kPageLines]; }
 
   /// Whether all pages are.
-  bool isBlank() const { return std::ranges::count(written_, 0) == static_cast<std::ptrdiff_t>(written_.size()); }
+  bool isBlank() const { return std::ranges::find(written_, 1) == written_.end(); }
 
   /// Calls act(line) for all lines of pages that are not blank.
   template <class Act>

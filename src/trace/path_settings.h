@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,6 +22,10 @@ struct LayerSettings {
   std::optional<PathPattern> paths;
   std::vector<std::string> populations;  // by name; empty: all
   std::optional<TiltRange> tilt;
+
+  bool isOf(const std::string& population) const {
+    return populations.empty() || std::find(populations.begin(), populations.end(), population) != populations.end();
+  }
 };
 
 /// The most layers of a run: each is a bit of a word.
