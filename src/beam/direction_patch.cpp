@@ -30,15 +30,21 @@ void ScatterTotals::add(const ScatterTotals& other, double factor) {
   cosine += factor * other.cosine;
   path += factor * other.path;
   cutOff += factor * other.cutOff;
+  out += factor * other.out;
   for (std::size_t k = 0; k < byOrder.size(); ++k) byOrder[k] += factor * other.byOrder[k];
 }
 
 DirectionPatch::DirectionPatch(const ScatterScene& scene, double cutShare, bool detailed) : scene_(scene) {
-  for (const PrismShare& prism : scene.prisms) {
-    perShadow_.push_back(4.0 * prism.share / scene.section.surface(prism.length));
-    for (const double index : scene.light.nodes())
-      tracers_.emplace_back(scene.section, prism.length, index, cutShare, detailed);
-  }
+  std::vector<const WantedPaths*> kinds;
+  for (const WantedPaths& wanted : scene.wanted) kinds.push_back(&wanted);
+  if (kinds.empty()) kinds.push_back(nullptr);
+  for (const PrismShare& prism : scene.prisms)
+    for (const WantedPaths* wanted : kinds) {
+      const double share = prism.share / static_cast<double>(kinds.size());
+      perShadow_.push_back(4.0 * share / scene.section.surface(prism.length));
+      for (const double index : scene.light.nodes())
+        tracers_.emplace_back(scene.section, prism.length, index, cutShare, detailed, wanted);
+    }
   slot_.fill(-1);
   classes_.reserve(kUsualClasses);
   for (Row& coordinate : lightDir_) coordinate.fill(0.5);  // behind the last node, too
@@ -62,11 +68,20 @@ void DirectionPatch::add(const PatchBounds& bounds, int number, Bins& bins) {
   for (int k = 0; k < used_; ++k) slot_[static_cast<std::size_t>(classes_[static_cast<std::size_t>(k)].number)] = -1;
   used_ = 0;
   for (int node = 0; node < kNodes; ++node) traceNode(node);
-  intercepted_ = totals(1).intercepted;
+  strong_ = kWeak * (scene_.wanted.empty() ? totals(1).intercepted : met());
   for (int k = 0; k < used_; ++k) {
     const Class& c = classes_[static_cast<std::size_t>(k)];
     addClass(c, fraction(kByClass * c.number + kByPatch * number), bins);
   }
+}
+
+double DirectionPatch::met() const {
+  double sum = 0.0;
+  for (int k = 0; k < used_; ++k)
+    for (std::size_t n = 0; n < scene_.light.nodes().size(); ++n)
+      for (std::size_t node = 0; node < kNodes; ++node)
+        sum += scene_.light.nodeShares()[n] * classes_[static_cast<std::size_t>(k)].met[n][node];
+  return sum * bounds_.area() / kNodes;
 }
 
 void DirectionPatch::traceNode(int node) {
@@ -86,7 +101,7 @@ void DirectionPatch::traceNode(int node) {
 
 void DirectionPatch::takeLight(int node, double perAngles, std::size_t tracer) {
   const std::size_t indices = scene_.light.nodes().size(), n = tracer % indices;
-  const double share = perShadow_[tracer / indices] * perAngles;  // of the prism, at this index
+  const double share = perShadow_[tracer / indices] * perAngles;  // of such prisms, at this index
   const double ofAll = share * scene_.light.nodeShares()[n];
   ScatterTotals& totals = totals_[static_cast<std::size_t>(node)];
   totals.intercepted += ofAll * light_.totalShadow();
@@ -154,6 +169,7 @@ void DirectionPatch::count(const Class& c, double light) {
   const bool undeviated = c.of().isUndeviated();
   for (std::size_t node = 0; node < kNodes; ++node) {
     totals_[node].cosine += light * seen_.density[node] * seen_.cosine[node];
+    totals_[node].out += light * seen_.density[node];
     if (undeviated) totals_[node].undeviated += light * seen_.density[node];
   }
 }
@@ -161,7 +177,7 @@ void DirectionPatch::count(const Class& c, double light) {
 bool DirectionPatch::isWeak() const {
   double light = 0.0;
   for (std::size_t node = 0; node < kNodes; ++node) light += seen_.density[node];
-  return light * bounds_.area() / kNodes < kWeak * intercepted_;
+  return light * bounds_.area() / kNodes < strong_;
 }
 
 DirectionPatch::Corner DirectionPatch::corner(int row, int column) const {

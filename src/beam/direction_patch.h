@@ -7,6 +7,7 @@
 #include "beam/angle_bins.h"
 #include "beam/light_class.h"
 #include "beam/scatter_scene.h"
+#include "beam/wanted_tracer.h"
 
 namespace parhelion {
 
@@ -76,22 +77,25 @@ class DirectionPatch {
   /// `light`: Y of a unit of it.
   void count(const Class& c, double light);
   bool isWeak() const;
+
+  /// The patch's light where it meets faces that it may leave by.
+  double met() const;
   void addTriangles(AngleBins& bins, const Exit& exit, int step) const;
   void addTriangle(AngleBins& bins, const Exit& exit, const Corner& a, const Corner& b, const Corner& c, double area,
                    int depth) const;
   Corner corner(int row, int column) const;
 
   const ScatterScene& scene_;
-  std::vector<PrismTracer> tracers_;  // by prism, and in each by index
-  std::vector<double> perShadow_;     // of each prism: crystals, as one over their mean shadow
+  std::vector<WantedTracer> tracers_;  // by prism, in each by what is wanted, and then by index
+  std::vector<double> perShadow_;      // of each but for the index: crystals, as one over their mean shadow
   PrismLight light_;
   PatchBounds bounds_{};
   std::array<Row, 3> lightDir_;
   std::array<ScatterTotals, kNodes> totals_;
   std::array<int, kLightClasses> slot_;
   std::vector<Class> classes_;
-  int used_ = 0;              // of classes_
-  double intercepted_ = 0.0;  // by the patch
+  int used_ = 0;         // of classes_
+  double strong_ = 0.0;  // light of a class in the patch that is added triangle by triangle
   Seen seen_;
   std::vector<IceLight::Sample> samples_;
 };

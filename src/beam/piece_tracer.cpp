@@ -21,12 +21,20 @@ constexpr int kMostFaces = 5000;
 
 }  // namespace
 
-PieceTracer::PieceTracer(const PrismSection& section, double length, double index, double cutShare,
+PieceTracer::PieceTracer(const PrismSection& section, double length, double index, double cutShare, bool detailed,
                          const WantedPaths& wanted)
-    : section_(section), length_(length), cutShare_(cutShare), into_(index), outOf_(1.0 / index), wanted_(wanted) {}
+    : section_(section),
+      length_(length),
+      cutShare_(cutShare),
+      into_(index),
+      outOf_(1.0 / index),
+      detailed_(detailed),
+      wanted_(wanted) {}
 
 void PieceTracer::trace(const Vec3& lightDir, PrismLight& light) {
   light.cutOff.fill(0.0);
+  if (detailed_) light.byOrder.fill(0.0);
+  told_ = &light;
   const double least = cutShare_ * light.totalShadow();
   for (int face = 0; face < kPrismFaces; ++face) {
     for (auto& exits : light.arrived[face]) exits.fill(0.0);
@@ -34,6 +42,7 @@ void PieceTracer::trace(const Vec3& lightDir, PrismLight& light) {
     if (!(goesIn > 0.0) || !wanted_.goesOn(wanted_.next(WantedPaths::kStart, face))) continue;
     arrived_ = &light.arrived[face];
     cutOff_ = &light.cutOff[face];
+    goesIn_ = goesIn;
     smallest_ = least / goesIn;
     const Vec3 normal = normalVectorOf(face);
     const double cosine = -glm::dot(normal, lightDir);
@@ -151,9 +160,13 @@ void PieceTracer::followMiddle() {
 
 bool PieceTracer::goesOnFrom(Beam& beam, int face, double cosine) {
   beam.state = wanted_.next(beam.state, face);
-  if (wanted_.isWanted(beam.state)) (*arrived_)[beam.element][face] += beam.share;
-  if (!wanted_.goesOn(beam.state)) return false;
+  const bool isWanted = wanted_.isWanted(beam.state), goesOn = wanted_.goesOn(beam.state);
+  if (isWanted) (*arrived_)[beam.element][face] += beam.share;
+  if (!goesOn && !(isWanted && detailed_)) return false;
   const double reflectance = fresnel(std::min(cosine, 1.0), outOf_).reflectance;
+  if (isWanted && detailed_ && beam.met < PrismLight::kOrdersTold)
+    told_->byOrder[static_cast<std::size_t>(beam.met)] += goesIn_ * beam.share * (1.0 - reflectance);
+  if (!goesOn) return false;
   beam.share *= reflectance;
   beam.weight *= reflectance;
   if (!wanted_.areShort() && (beam.share < smallest_ * kGivenUp || beam.met == kMostFaces)) {

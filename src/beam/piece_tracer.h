@@ -19,9 +19,11 @@ namespace parhelion {
 class PieceTracer {
  public:
   /// As PrismTracer has them. `wanted` must outlive this.
-  PieceTracer(const PrismSection& section, double length, double index, double cutShare, const WantedPaths& wanted);
+  PieceTracer(const PrismSection& section, double length, double index, double cutShare, bool detailed,
+              const WantedPaths& wanted);
 
-  /// Makes `arrived` and `cutOff` of light whose shadows and reflectances are known those of the light that is wanted.
+  /// Makes `arrived`, `cutOff` and, if detailed, `byOrder` of light whose shadows and reflectances are known those of
+  /// the light that is wanted.
   void trace(const Vec3& lightDir, PrismLight& light);
 
  private:
@@ -71,6 +73,7 @@ class PieceTracer {
   PrismSection section_;
   double length_, cutShare_;
   RelativeIndex into_, outOf_;  // ice
+  bool detailed_;
   const WantedPaths& wanted_;
   std::vector<Piece> stack_;
   std::size_t waiting_ = 0;  // on the stack
@@ -79,6 +82,8 @@ class PieceTracer {
   // Of the entry that is being followed.
   PrismLight::Arrivals* arrived_ = nullptr;
   double* cutOff_ = nullptr;
+  PrismLight* told_ = nullptr;
+  double goesIn_ = 0.0;  // light, in the units of shadows
   double smallest_ = 0.0, perAcross_ = 0.0;
 };
 

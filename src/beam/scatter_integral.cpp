@@ -14,7 +14,8 @@ namespace parhelion {
 namespace {
 
 // A regular hexagonal prism looks the same under 24 isometries: a sixth of a right angle of azimuth, and one side of
-// the basal plane, stand for all directions. Others have mirror planes only at their ends.
+// the basal plane, stand for all directions. Others, and those whose sides are told apart by the light that is wanted,
+// have mirror planes only at their ends.
 constexpr double kRegularWidth = kPi / 6.0;
 // Where side faces come to light or turn dark, at odd multiples of 30 degrees, patches end.
 constexpr int kZetaPatches = 6;
@@ -52,9 +53,10 @@ bool isRegular(const PrismSection& section) {
   return std::ranges::all_of(section.distance, [&](double d) { return d == section.distance.front(); });
 }
 
-std::vector<Patch> firstPatches(const PrismSection& section) {
-  const double width = isRegular(section) ? kRegularWidth : 2.0 * kPi;
-  const int columns = isRegular(section) ? 2 : 24;
+std::vector<Patch> firstPatches(const ScatterScene& scene) {
+  const bool isAlike = isRegular(scene.section) && std::ranges::all_of(scene.wanted, &WantedPaths::areAlikeAboutC);
+  const double width = isAlike ? kRegularWidth : 2.0 * kPi;
+  const int columns = isAlike ? 2 : 24;
   std::vector<Patch> patches;
   for (int row = 0; row < kZetaPatches; ++row)
     for (int column = 0; column < columns; ++column)
@@ -84,7 +86,7 @@ class Integration {
   }
 
   ScatterIntegral run() {
-    std::vector<Patch> todo = firstPatches(scene_.section);
+    std::vector<Patch> todo = firstPatches(scene_);
     for (const Patch& patch : todo) area_ += patch.bounds.area();
     std::vector<PatchLight> made = make(todo, todo.size());
     expect(made);
@@ -128,12 +130,13 @@ class Integration {
     for (const PatchLight& patch : made) {
       for (std::size_t bin = 0; bin < expected_.size(); ++bin) expected_[bin] += patch.light[bin];
       intercepted_ += patch.totals.intercepted;
+      out_ += patch.totals.out;
       path_ += patch.totals.path;
     }
     const double width = (to_ - from_) / bins_;
     for (std::size_t bin = 0; bin < expected_.size(); ++bin) {
       const double angle = from_ + (static_cast<double>(bin) + 0.5) * width;
-      const double even = 0.5 * portable::sin(angle) * width * intercepted_;
+      const double even = 0.5 * portable::sin(angle) * width * (scene_.wanted.empty() ? intercepted_ : out_);
       expected_[bin] = std::max(expected_[bin], kDimmest * even);
     }
   }
@@ -194,7 +197,7 @@ class Integration {
     result_.pathError = per * std::max(kSystematic * std::abs(difference_.path), std::sqrt(pathSquares_));
     // All directions have the solid angle of their patches.
     double solidAngle = 0.0;
-    for (const Patch& patch : firstPatches(scene_.section)) {
+    for (const Patch& patch : firstPatches(scene_)) {
       const auto [phi0, phi1, zeta0, zeta1] = patch.bounds;
       solidAngle += (phi1 - phi0) * (portable::cos(zeta0) - portable::cos(zeta1));
     }
@@ -210,7 +213,7 @@ class Integration {
   double from_, to_, area_ = 0.0;
   std::vector<double> expected_, sum_, x_, z_, systematic_, mixed_;
   ScatterTotals totals_, difference_;
-  double intercepted_ = 0.0, path_ = 0.0;  // by the first patches
+  double intercepted_ = 0.0, out_ = 0.0, path_ = 0.0;  // by the first patches
   double cosineSquares_ = 0.0, pathSquares_ = 0.0;
   ScatterIntegral result_;
 };

@@ -7,6 +7,7 @@
 #include "beam/ice_light.h"
 #include "beam/prism_light.h"
 #include "beam/prism_section.h"
+#include "beam/wanted_paths.h"
 
 namespace parhelion {
 
@@ -22,11 +23,15 @@ struct ScatterScene {
   PrismSection section;
   std::vector<PrismShare> prisms;  // shares add up to 1
   IceLight light;
+  /// By what paths light counts, as told for crystals whose upper end it meets; of several, each for as many crystals.
+  /// None: all light.
+  std::vector<WantedPaths> wanted = {};
 };
 
 /// Sums over directions, in the units of mean shadows times solid angle.
 struct ScatterTotals {
   double intercepted = 0.0, external = 0.0, undeviated = 0.0, cosine = 0.0, path = 0.0, cutOff = 0.0;
+  double out = 0.0;  // all that leaves and is wanted
   std::array<double, PrismLight::kOrdersTold> byOrder{};
 
   void add(const ScatterTotals& other, double factor);

@@ -7,10 +7,10 @@ namespace parhelion {
 
 WantedTracer::WantedTracer(const PrismSection& section, double length, double index, double cutShare, bool detailed,
                            const WantedPaths* wanted)
-    : all_(section, length, index, cutShare, detailed), wanted_(wanted) {
+    : all_(section, length, index, cutShare, detailed), detailed_(detailed), wanted_(wanted) {
   if (!wanted) return;
   others_ = wanted->shortOthers();
-  pieces_.emplace(section, length, index, cutShare, others_ ? *others_ : *wanted);
+  pieces_.emplace(section, length, index, cutShare, detailed, others_ ? *others_ : *wanted);
 }
 
 void WantedTracer::meetOutside(const Vec3& lightDir, PrismLight& light) const {
@@ -21,7 +21,7 @@ void WantedTracer::meetOutside(const Vec3& lightDir, PrismLight& light) const {
 }
 
 void WantedTracer::trace(const Vec3& lightDir, PrismLight& light) {
-  if (!wanted_ || others_) all_.trace(lightDir, light);
+  if (!wanted_ || others_ || detailed_) all_.trace(lightDir, light);
   if (!wanted_) return;
   meetOutside(lightDir, light);
   if (!others_) return pieces_->trace(lightDir, light);
@@ -35,6 +35,9 @@ void WantedTracer::trace(const Vec3& lightDir, PrismLight& light) {
         double& own = light.arrived[entry][element][exit];
         own = std::max(0.0, own - rest_.arrived[entry][element][exit]);
       }
+  if (!detailed_) return;
+  for (std::size_t order = 0; order < light.byOrder.size(); ++order)
+    light.byOrder[order] = std::max(0.0, light.byOrder[order] - rest_.byOrder[order]);
 }
 
 }  // namespace parhelion

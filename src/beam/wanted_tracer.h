@@ -11,7 +11,8 @@ namespace parhelion {
 /// A PrismTracer of the light alone whose path is wanted. Shadows are those of all light.
 class WantedTracer {
  public:
-  /// Without `wanted`, which must outlive this, all light is.
+  /// Without `wanted`, which must outlive this, all light is. `detailed`: as PrismTracer; the way inside is that of all
+  /// light.
   WantedTracer(const PrismSection& section, double length, double index, double cutShare, bool detailed,
                const WantedPaths* wanted);
 
@@ -20,6 +21,7 @@ class WantedTracer {
 
  private:
   PrismTracer all_;
+  bool detailed_;
   const WantedPaths* wanted_;
   const WantedPaths* others_ = nullptr;  // where these are followed, and taken away from all
   std::optional<PieceTracer> pieces_;

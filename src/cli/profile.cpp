@@ -67,8 +67,12 @@ nlohmann::ordered_json json(const ScatterProfile::Summary& s) {
   return json;
 }
 
+double outOf(const IntegratedProfile& profile) { return 1.0 - profile.filtered - profile.summary.cutOff; }
+
 nlohmann::ordered_json statsOf(const IntegratedProfile& profile, double seconds, int threads) {
   nlohmann::ordered_json json = integralStats(seconds, threads, profile.summary.cutOff);
+  json["energy"]["out"] = outOf(profile);
+  json["energy"]["filtered"] = profile.filtered;
   json["directions"] = profile.directions;
   json["patches"] = profile.patches;
   json["reached"] = profile.reached;
@@ -90,7 +94,9 @@ int runIntegral(const ProfileOptions& options, const CLI::App& command, const Sc
   const double seconds = clock.seconds();
   if (!options.run.quiet) {
     say("%ld directions in %.2f s, %.3g a second", profile.directions, seconds, profile.directions / seconds);
-    say("energy: in 1 = out %.9f + cut off %.3g", 1.0 - profile.summary.cutOff, profile.summary.cutOff);
+    char filtered[40] = "";
+    if (profile.filtered > 0.0) std::snprintf(filtered, sizeof filtered, " + filtered %.9f", profile.filtered);
+    say("energy: in 1 = out %.9f%s + cut off %.3g", outOf(profile), filtered, profile.summary.cutOff);
   }
   if (!profile.reached)
     say("warning: --error was not reached at the finest mesh; the table has the errors as they are");

@@ -13,6 +13,7 @@ namespace parhelion {
 struct IntegratedProfile {
   std::vector<ScatterProfile::Bin> bins;
   ScatterProfile::Summary summary;  // rays are 0; errors are to either side
+  double filtered = 0.0;            // share of the light that leaves by paths that are not kept
   long directions = 0;              // of light in a crystal that were traced
   int patches = 0;                  // of such directions
   bool reached = true;              // the error aimed at

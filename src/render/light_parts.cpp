@@ -21,8 +21,11 @@ bool tellsPathsApart(const PathSettings& paths) {
          std::ranges::any_of(paths.layers, [](const LayerSettings& layer) { return layer.paths.has_value(); });
 }
 
-/// The light of a population whose crystals' faces have these numbers, by layer; what no layer has is left out.
-LightParts partsByPath(const PathPlan& plan, int population, const std::vector<int>& numbers) {
+/// The light of a population by layer; what no layer has is left out.
+LightParts partsByPath(const Cloud& cloud, const PathPlan& plan, int population) {
+  std::vector<int> numbers;
+  for (const Face& face : cloud.populations()[static_cast<std::size_t>(population)].mesh().faces())
+    numbers.push_back(face.number);
   const PathAutomaton& automaton = plan.automaton(population);
   LightParts parts;
   for (int layer = 0; layer <= plan.layers(); ++layer) {
@@ -59,9 +62,7 @@ std::vector<PopulationPlan> plansOf(const Scene& scene) {
       const auto first = std::ranges::find_if(paths.layers, [&](const auto& l) { return l.isOf(population.name); });
       own.parts = {{static_cast<std::size_t>(first - paths.layers.begin()), std::nullopt}};
     } else if (own.objection.empty()) {
-      std::vector<int> numbers;
-      for (const Face& face : cloud->populations()[k].mesh().faces()) numbers.push_back(face.number);
-      own.parts = partsByPath(*plan, static_cast<int>(k), numbers);
+      own.parts = partsByPath(*cloud, *plan, static_cast<int>(k));
       if (std::ranges::any_of(own.parts, [](const auto& p) { return p.wanted && !p.wanted->areAlikeAboutC(); })) {
         own.objection = "has raypaths told apart by side faces that are alike, as by symmetry = none";
         own.parts.clear();
@@ -78,6 +79,16 @@ std::vector<LightParts> lightPartsOf(const Scene& scene) {
   std::vector<LightParts> parts;
   for (PopulationPlan& plan : plansOf(scene)) parts.push_back(std::move(plan.parts));
   return parts;
+}
+
+std::vector<std::optional<WantedPaths>> keptPathsOf(const Scene& scene) {
+  std::vector<std::optional<WantedPaths>> kept(scene.populations.size());
+  if (!scene.trace.paths.filter) return kept;
+  const Cloud cloud = cloudByLight(scene);
+  const PathPlan plan(cloud, {scene.trace.paths.filter, {}});
+  for (std::size_t k = 0; k < kept.size(); ++k)
+    kept[k] = std::move(partsByPath(cloud, plan, static_cast<int>(k)).front().wanted);
+  return kept;
 }
 
 std::vector<std::string> objectionsToIntegrating(const Scene& scene) {

@@ -28,4 +28,7 @@ std::vector<LightParts> lightPartsOf(const Scene& scene);
 /// where it can. Throws as lightPartsOf().
 std::vector<std::string> objectionsToIntegrating(const Scene& scene);
 
+/// By population, all of which must be prisms: what a filter keeps of its light; none: all. Throws as lightPartsOf().
+std::vector<std::optional<WantedPaths>> keptPathsOf(const Scene& scene);
+
 }  // namespace parhelion

@@ -92,7 +92,7 @@ TEST_CASE("light that went by pieces from face to face is that of strips, class 
       PrismTracer tracer(PrismSection(), length, kIndex, kCut);
       tracer.trace(lightDir, strips);
       pieces = strips;
-      PieceTracer(PrismSection(), length, kIndex, kCut, even).trace(lightDir, pieces);
+      PieceTracer(PrismSection(), length, kIndex, kCut, false, even).trace(lightDir, pieces);
       const std::vector<double> a = classesOf(pieces), b = classesOf(strips);
       CHECK(apartWhereOut(a, b, lightDir) < kManyCuts * kCut);
     }

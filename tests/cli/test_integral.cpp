@@ -76,6 +76,30 @@ TEST_CASE("a profile of several populations is integrated, and rays agree with i
   CHECK(stats["directions"].get<long>() > 1000);
 }
 
+TEST_CASE("a profile of some raypaths says what was filtered, as rays do") {
+  const WithPrisms folder;
+  const std::string command = "parhelion profile s.toml --bins 60 --paths 3-5 -D population.long.aspect=2.0 ";
+  const Outcome integral = run(folder, command + "--engine integral --error 2% --stats i.json");
+  CHECK(integral.exit == 0);
+  CHECK(integral.err.find(" + filtered 0.8") != std::string::npos);
+  const Outcome rays = run(folder, command + "--rays 300k --quiet --stats r.json");
+  CHECK(rays.exit == 0);
+  const auto a = nlohmann::json::parse(readFile(folder / "i.json"))["energy"],
+             b = nlohmann::json::parse(readFile(folder / "r.json"))["energy"];
+  for (const char* key : {"out", "filtered"})
+    CHECK(a[key].get<double>() == doctest::Approx(b[key].get<double>() / b["in"].get<double>()).epsilon(0.01));
+  CHECK(a["out"].get<double>() + a["filtered"].get<double>() + a["cut_off"].get<double>() ==
+        doctest::Approx(1.0).epsilon(1e-12));
+  // Nothing before the ring, also where the scene has the filter.
+  const auto light = columnOf(integral.out, 2);
+  for (std::size_t k = 0; k < 7; ++k) CHECK(light[k] < 1e-9);
+  CHECK(light[7] > 0.01);
+  const Outcome byScene = run(folder,
+                              "parhelion profile s.toml --bins 60 -D population.long.aspect=2.0 -D trace.filter=3-5 "
+                              "--engine integral --error 2%");
+  CHECK(byScene.out == integral.out);
+}
+
 TEST_CASE("what cannot be integrated is one clear error, and writes nothing") {
   const WithPrisms folder;
   struct Case {
@@ -99,7 +123,6 @@ TEST_CASE("what cannot be integrated is one clear error, and writes nothing") {
                           "rolls"},
                          {"profile s.toml --engine integral -D population.short.orientation=plate -o o.csv", "short"},
                          {"profile s.toml --engine integral -D population.short.shape=pyramid -o o.csv", "short"},
-                         {"profile s.toml --engine integral --paths 3-5 -o o.csv", "raypaths"},
                          {"profile s.toml --engine integral --rays 1M -o o.csv", "--rays"},
                          {"profile s.toml --engine integral --time 5s -o o.csv", "--time"},
                          {"profile s.toml --engine integral --tally t.exr -o o.csv", "--tally"},
