@@ -6,9 +6,9 @@
 
 #include "cli/commands.h"
 #include "cli/long_run_options.h"
+#include "cli/say.h"
 #include "cli/stats.h"
 #include "parallel/threads.h"
-#include "render/mixed_sky.h"
 #include "trace/trace_settings.h"
 
 namespace parhelion::cli {
@@ -20,6 +20,12 @@ constexpr double kGoal = 0.02;
 
 constexpr std::array kOfRays{"--rays", "--seed", "--sampler", "--simd", "--symmetry"};
 constexpr std::array kOfLongRuns{"--time", "--slice", "--ray-range", "--resume", "--checkpoint", "--tally"};
+
+std::string listOf(const std::vector<std::string>& names) {
+  std::string list;
+  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
+  return list;
+}
 
 }  // namespace
 
@@ -59,6 +65,34 @@ nlohmann::ordered_json integralStats(double seconds, int threads, double cutOff)
   json["threads"] = threadCount(threads);
   json["peak_memory_bytes"] = usage.peakMemory;
   json["energy"] = {{"in", 1.0}, {"out", 1.0 - cutOff}, {"absorbed", 0.0}, {"cut_off", cutOff}, {"lost", 0.0}};
+  return json;
+}
+
+void reportSmooth(const MixedSky& made) {
+  const IntegratedSky& sky = made.sky;
+  if (sky.sheets + sky.directions > 0) {
+    say("%ld sheets of orientations from %ld directions in %.2f s: mean relative error %.2g", sky.sheets,
+        sky.directions, made.secondsIntegrated, sky.error);
+    say("energy: in 1 = out %.9f + cut off %.3g", 1.0 - sky.cutOff, sky.cutOff);
+  }
+  if (!made.traced.empty() && made.tracedShare > 0.0)
+    say("rays for %.3g %% of the light in %.2f s: %s", 100.0 * made.tracedShare, made.secondsTraced,
+        listOf(made.traced).c_str());
+}
+
+nlohmann::ordered_json smoothStats(const MixedSky& made, double seconds, int threads, Engine engine) {
+  const IntegratedSky& sky = made.sky;
+  nlohmann::ordered_json json = integralStats(seconds, threads, sky.cutOff);
+  json["engine"] = nameOf(engine);
+  json["directions"] = sky.directions;
+  json["sheets"] = sky.sheets;
+  json["error"] = sky.error;
+  json["reached"] = sky.reached;
+  if (engine != Engine::mixed) return json;
+  json["rays"] = sky.info.rayCount();
+  json["integrated"] = made.integrated;
+  json["traced"] = made.traced;
+  json["traced_light"] = made.tracedShare;
   return json;
 }
 

@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "render/mixed_sky.h"
 #include "scene/scene.h"
 
 namespace parhelion::cli {
@@ -18,13 +19,18 @@ bool isIntegrated(const Scene& scene);
 /// Throws Unfit if it cannot be as its engine has it.
 void requireIntegrable(const Scene& scene);
 
-/// The error that a picture is integrated to: as --error has it, or 1 %.
+/// The error that a picture is integrated to: as --error has it, or 2 %.
 double integralGoal(const std::string& error);
 
-/// Throws Unfit if an option was given that is about rays; where some are traced, about how they are kept and continued.
+/// Throws Unfit if an option was given that is about rays; where some are traced, about how they are kept and
+/// continued.
 void refuseRayOptions(const CLI::App& command, bool someRays = false);
 
 /// The figures of a run by the names that runs of rays have for them. `cutOff`: share of the light that was given up.
 nlohmann::ordered_json integralStats(double seconds, int threads, double cutOff);
+
+/// What a run did that made a sky without rays, or with rays for some populations alone: on stderr, and for --stats.
+void reportSmooth(const MixedSky& made);
+nlohmann::ordered_json smoothStats(const MixedSky& made, double seconds, int threads, Engine engine);
 
 }  // namespace parhelion::cli

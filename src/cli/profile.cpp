@@ -112,7 +112,7 @@ int runProfile(const ProfileOptions& options, const CLI::App& command, Tracers& 
   const LoadedScene loaded = options.run.load();
   if (loaded.scene.trace.engine == Engine::integral) return runIntegral(options, command, loaded.scene);
   if (loaded.scene.trace.engine == Engine::mixed)
-    throw Unfit("engine mixed: it makes pictures; profiles take rays, or the engine integral");
+    throw Unfit("engine mixed: it makes pictures and maps; profiles take rays, or the engine integral");
   if (!options.error.empty()) throw Unfit("--error: it is for --engine integral; rays take --rays or --time");
   const Cloud cloud = cloudByLight(loaded.scene);
   const TraceSettings settings = settingsOfMeasurement(cloud, loaded.scene.trace);

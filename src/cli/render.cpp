@@ -64,12 +64,6 @@ class Development {
   std::uint64_t rays_ = 0;  // that it was made of
 };
 
-std::string listOf(const std::vector<std::string>& names) {
-  std::string list;
-  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
-  return list;
-}
-
 /// Where a picture's tally goes; empty for a picture that goes nowhere.
 std::filesystem::path tallyOf(const SkyFiles& files) {
   if (isStream(files.exr)) return {};
@@ -97,41 +91,17 @@ int renderSmooth(const RenderOptions& options, const CLI::App& command, LoadedSc
   loaded.error = goal;
   const RunClock clock;
   const StopSignal stop;
-  MixedSky made;
-  if (mixed)
-    made = mixSky(loaded, goal, traceControl(options.run, &stop));
-  else
-    made.sky = withThreads(options.run.threads, [&] { return integrateSky(loaded, goal); });
+  MixedSky made = mixSky(loaded, goal, traceControl(options.run, &stop));
   if (made.report.interrupted) return kInterrupted;
   IntegratedSky& sky = made.sky;
   const double seconds = clock.seconds();
-  if (!options.run.quiet) {
-    if (sky.sheets + sky.directions > 0) {
-      say("%ld sheets of orientations from %ld directions in %.2f s: mean relative error %.2g", sky.sheets,
-          sky.directions, mixed ? made.secondsIntegrated : seconds, sky.error);
-      say("energy: in 1 = out %.9f + cut off %.3g", 1.0 - sky.cutOff, sky.cutOff);
-    }
-    if (!made.traced.empty() && made.tracedShare > 0.0)
-      say("rays for %.3g %% of the light in %.2f s: %s", 100.0 * made.tracedShare, made.secondsTraced,
-          listOf(made.traced).c_str());
-  }
+  if (!options.run.quiet) reportSmooth(made);
   if (!sky.reached) say("warning: the error asked for was not reached; the picture has its errors as they are");
   files.run = &outputs;
   const WrittenSky written = writeSkyFiles(files, std::move(sky.image), sky.info, loaded);
   if (!options.run.stats.empty()) {
-    nlohmann::ordered_json json = integralStats(seconds, options.run.threads, sky.cutOff);
-    json["engine"] = nameOf(loaded.scene.trace.engine);
-    json["directions"] = sky.directions;
-    json["sheets"] = sky.sheets;
-    json["error"] = sky.error;
-    json["reached"] = sky.reached;
-    if (mixed) {
-      json["rays"] = sky.info.rayCount();
-      json["integrated"] = made.integrated;
-      json["traced"] = made.traced;
-      json["traced_light"] = made.tracedShare;
-    }
-    writeJson(outputs.at(options.run.stats), json);
+    const Engine engine = loaded.scene.trace.engine;
+    writeJson(outputs.at(options.run.stats), smoothStats(made, seconds, options.run.threads, engine));
   }
   outputs.commit();
   if (!options.run.quiet) reportPicture(files, written, {});

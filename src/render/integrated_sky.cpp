@@ -55,10 +55,17 @@ double widestOf(const Camera& camera) {
 
 class Sky {
  public:
-  Sky(const LoadedScene& loaded, double error, LightStore& store)
-      : scene_(loaded.scene), error_(error), store_(store), camera_(scene_.camera), sun_(scene_.sun), indices_(scene_) {
-    const Spectrum spectrum(scene_.sun.spectrum);
-    colours_ = spectrum.colours();
+  Sky(const LoadedScene& loaded, double error, LightStore& store, Counted counted)
+      : scene_(loaded.scene),
+        error_(error),
+        store_(store),
+        camera_(scene_.camera),
+        sun_(scene_.sun),
+        indices_(scene_, counted) {
+    if (counted == Counted::energy)
+      colours_ = 1;
+    else
+      colours_ = Spectrum(scene_.sun.spectrum).colours();
     result_.info = skyInfoOf(loaded);
   }
 
@@ -260,13 +267,13 @@ std::uint64_t memoryOfOrientations(const Scene& scene, double error) {
   return memoryForTilts(Camera(scene.camera), 0.5 * Sun(scene.sun).diameter(), error);
 }
 
-IntegratedSky integrateSky(const LoadedScene& loaded, double error, LightStore* store) {
+IntegratedSky integrateSky(const LoadedScene& loaded, double error, LightStore* store, Counted counted) {
   if (const std::string objection = objectionToIntegratedSky(loaded.scene); !objection.empty())
     throw std::invalid_argument(objection);
   LightStore none;
   if (!store) store = &none;
   store->bands.startPicture();
-  return Sky(loaded, error, *store).run();
+  return Sky(loaded, error, *store, counted).run();
 }
 
 }  // namespace parhelion

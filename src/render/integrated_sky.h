@@ -6,6 +6,7 @@
 
 #include "beam/light_store.h"
 #include "picture/image.h"
+#include "render/prism_populations.h"
 #include "scene/parse_scene.h"
 #include "sky/tally_info.h"
 
@@ -30,7 +31,8 @@ std::uint64_t memoryOfOrientations(const Scene& scene, double error);
 
 /// Integrates the sky of a scene that has no objection until the picture's error is at most so much. The same bits for
 /// any number of threads. Throws std::invalid_argument for a scene that has one. A store serves the next pictures; it
-/// changes no bit.
-IntegratedSky integrateSky(const LoadedScene& loaded, double error, LightStore* store = nullptr);
+/// changes no bit. Where energy counts all three colours are the same.
+IntegratedSky integrateSky(const LoadedScene& loaded, double error, LightStore* store = nullptr,
+                           Counted counted = Counted::colour);
 
 }  // namespace parhelion

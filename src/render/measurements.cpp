@@ -14,15 +14,17 @@ TraceSettings settingsOfMeasurement(const Cloud& cloud, const TraceSettings& ask
   return chosenSettings(cloud, settings);
 }
 
-Image mapPicture(const SkyMap& map) {
-  Image image{map.columns(), map.rows(), {}};
+Image mapPicture(const LightMap& map) {
+  const int columns = map.grid.columns(), rows = map.grid.rows();
+  Image image{columns, rows, {}};
   image.add("Y");
   image.add("stderr");
-  for (int row = 0; row < map.rows(); ++row)
-    for (int column = 0; column < map.columns(); ++column) {
-      const std::size_t pixel = static_cast<std::size_t>(map.rows() - 1 - row) * map.columns() + column;
-      image.channels[0].samples[pixel] = static_cast<float>(map.energy(column, row));
-      image.channels[1].samples[pixel] = static_cast<float>(map.error(column, row));
+  for (int row = 0; row < rows; ++row)
+    for (int column = 0; column < columns; ++column) {
+      const auto bin = static_cast<std::size_t>(map.grid.bin(column, row)),
+                 pixel = static_cast<std::size_t>(map.grid.bin(column, rows - 1 - row));
+      image.channels[0].samples[pixel] = static_cast<float>(map.energy[bin]);
+      image.channels[1].samples[pixel] = static_cast<float>(map.error[bin]);
     }
   return image;
 }

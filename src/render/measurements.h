@@ -3,9 +3,9 @@
 
 #include "picture/image.h"
 #include "scene/scene.h"
+#include "sky/light_map.h"
 #include "trace/cloud.h"
 #include "trace/light_path.h"
-#include "trace/sky_map.h"
 
 namespace parhelion {
 
@@ -15,7 +15,7 @@ namespace parhelion {
 TraceSettings settingsOfMeasurement(const Cloud& cloud, const TraceSettings& asked);
 
 /// A map as a picture: channels Y (energy a bin) and stderr, the zenith's row on top.
-Image mapPicture(const SkyMap& map);
+Image mapPicture(const LightMap& map);
 
 /// The whole life of one of the scene's rays, with all its encounters. `cloud` is the scene's; the path is valid as
 /// long as it lives.

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "render/integrated_sky.h"
+#include "sky/light_map.h"
 #include "trace/trace.h"
 
 namespace parhelion {
@@ -25,5 +26,20 @@ std::uint64_t raysOf(const Scene& scene);
 /// reconstructs those as the scene says. The same bits for any number of threads. Throws as traceRays() and
 /// lightPartsOf() do. Where the control stops the rays, `report` says so.
 MixedSky mixSky(const LoadedScene& loaded, double error, const TraceControl& control = {}, LightStore* store = nullptr);
+
+/// Light over the whole sphere as SkyMap has it, each population's made by the engine that serves it.
+struct MixedMap {
+  LightMap light;
+  MixedSky made;  // its figures, without the picture
+};
+
+/// The picture that a map is made of has so many pixels across a bin and up: an even number.
+int pixelsPerBin(int binsPerHalfTurn);
+
+/// The scene whose picture a map of so many bins is made of, without layers.
+LoadedScene sceneOfMap(const LoadedScene& loaded, int binsPerHalfTurn);
+
+/// As mixSky() for the map of a scene; errors of a bin's pixels are taken to go together.
+MixedMap mixMap(const LoadedScene& loaded, int binsPerHalfTurn, double error, const TraceControl& control = {});
 
 }  // namespace parhelion

@@ -47,19 +47,22 @@ std::vector<double> fixedIndices(const IceSettings& ice) {
   return {};
 }
 
-Tristimulus colourOf(const SpectralSample& sample) { return {sample.xyz.x, sample.xyz.y, sample.xyz.z}; }
+Tristimulus colourOf(const SpectralSample& sample, Counted counted) {
+  if (counted == Counted::energy) return {sample.light, sample.light, sample.light};
+  return {sample.xyz.x, sample.xyz.y, sample.xyz.z};
+}
 
 /// All of a spectrum's light as lines: each meets each of the ice's indices. Empty for continuous light in ice whose
 /// index depends on the wavelength.
-std::vector<IndexColour> linesOf(const Scene& scene) {
+std::vector<IndexColour> linesOf(const Scene& scene, Counted counted) {
   const Spectrum spectrum(scene.sun.spectrum);
   const std::vector<double> fixed = fixedIndices(scene.ice);
   std::vector<IndexColour> lines;
   if (fixed.empty())
     for (const SpectralSample& line : spectrum.lines())
-      lines.push_back({refractiveIndex(scene.ice, line.wavelength), colourOf(line)});
+      lines.push_back({refractiveIndex(scene.ice, line.wavelength), colourOf(line, counted)});
   // What meets the same index goes the same ways, whatever its colour.
-  const Vec3& white = spectrum.white();
+  const Vec3 white = counted == Counted::energy ? Vec3(1.0) : spectrum.white();
   for (const double index : fixed) lines.push_back({index, {white.x, white.y, white.z}});
   return lines;
 }
@@ -89,12 +92,12 @@ std::vector<PrismShare> prismsOf(const PopulationSettings& settings, int count) 
   return prisms;
 }
 
-IndexSampler::IndexSampler(const Scene& scene) : lines_(linesOf(scene)) {
+IndexSampler::IndexSampler(const Scene& scene, Counted counted) : lines_(linesOf(scene, counted)) {
   if (!lines_.empty()) return;
   const Spectrum spectrum(scene.sun.spectrum);
   for (int k = 0; k < kColourSteps; ++k) {
     const SpectralSample sample = spectrum.sample((k + 0.5) / kColourSteps);
-    continuous_.push_back({refractiveIndex(scene.ice, sample.wavelength), colourOf(sample)});
+    continuous_.push_back({refractiveIndex(scene.ice, sample.wavelength), colourOf(sample, counted)});
   }
 }
 

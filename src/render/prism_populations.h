@@ -19,10 +19,13 @@ std::vector<PrismShare> prismsOf(const PopulationSettings& settings, int count);
 /// The indices that a scene's light meets, by its energy as profiles count it.
 IceLight iceLightOf(const Scene& scene);
 
-/// Light by a number in (0, 1): its index and its colour.
+/// What light counts for: its colour, or its energy, whatever its colour, as profiles and maps have it.
+enum class Counted { colour, energy };
+
+/// Light by a number in (0, 1): its index and its colour, which is grey where its energy counts.
 class IndexSampler {
  public:
-  explicit IndexSampler(const Scene& scene);
+  IndexSampler(const Scene& scene, Counted counted);
 
   IndexColour at(double u) const;
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Profiles without rays, as users ask for them.
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -107,7 +108,11 @@ TEST_CASE("what cannot be integrated is one clear error, and writes nothing") {
   };
   for (const Case& c :
        std::vector<Case>{{"trace s.toml --engine integral -o o.exr", "it makes pictures"},
-                         {"map s.toml -D trace.engine=integral -o o.csv", "it makes pictures"},
+                         {"map s.toml --engine integral -D population.short.orientation=lowitz -o o.csv", "short"},
+                         {"map s.toml --engine integral --rays 1M -o o.csv", "--rays"},
+                         {"map s.toml --engine mixed --tally t.exr -o o.csv", "--tally"},
+                         {"map s.toml --engine integral --step 0.01 -o o.csv", "--step"},
+                         {"map s.toml --error 1% --rays 1k -o o.csv", "--error"},
                          {"render s.toml --engine integral -D population.short.orientation=lowitz -o o.exr", "short"},
                          {"render s.toml --engine integral -D population.short.orientation=parry -o o.exr", "rolls"},
                          {"render s.toml --engine integral --paths '3-5, symmetry = none' -o o.exr", "symmetry"},
@@ -167,6 +172,26 @@ TEST_CASE("a picture takes rays for those populations alone that cannot be integ
   CHECK(stats["rays"] == 200000);
   CHECK(stats["traced_light"].get<double>() > 0.3);
   CHECK(stats["traced_light"].get<double>() < 0.9);
+}
+
+TEST_CASE("a map is integrated into the same table and the same picture as rays make") {
+  const WithPrisms folder;
+  const std::string command = "parhelion map s.toml --step 10 -D population.long.aspect=2.0 ";
+  const Outcome integral = run(folder, command + "--engine integral --error 5% --stats t.json");
+  CHECK_MESSAGE(integral.exit == 0, integral.err);
+  CHECK(integral.err.find("directions") != std::string::npos);
+  const Outcome rays = run(folder, command + "--rays 200k --quiet");
+  for (const int column : {0, 1}) CHECK(columnOf(integral.out, column) == columnOf(rays.out, column));
+  const auto light = columnOf(integral.out, 2), traced = columnOf(rays.out, 2);
+  // The sun's own bin has the light that goes straight on.
+  const auto sun = std::ranges::max_element(traced) - traced.begin();
+  CHECK(light[static_cast<std::size_t>(sun)] == doctest::Approx(traced[static_cast<std::size_t>(sun)]).epsilon(0.02));
+  const auto stats = nlohmann::json::parse(readFile(folder / "t.json"));
+  CHECK(stats["engine"] == "integral");
+  CHECK(stats["rays"] == 0);
+  const Outcome picture = run(folder, command + "--engine integral --error 5% -o o.exr && parhelion info o.exr");
+  CHECK_MESSAGE(picture.exit == 0, picture.err);
+  CHECK(picture.out.find("36 x 19") != std::string::npos);
 }
 
 TEST_CASE("frames of a sweep are integrated once, and again where another error is asked for") {
