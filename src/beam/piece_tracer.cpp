@@ -31,10 +31,11 @@ PieceTracer::PieceTracer(const PrismSection& section, double length, double inde
       detailed_(detailed),
       wanted_(wanted) {}
 
-void PieceTracer::trace(const Vec3& lightDir, PrismLight& light) {
+void PieceTracer::trace(const Vec3& lightDir, PrismLight& light, LightChains* chains) {
   light.cutOff.fill(0.0);
   if (detailed_) light.byOrder.fill(0.0);
   told_ = &light;
+  chains_ = chains;
   const double least = cutShare_ * light.totalShadow();
   for (int face = 0; face < kPrismFaces; ++face) {
     for (auto& exits : light.arrived[face]) exits.fill(0.0);
@@ -51,7 +52,9 @@ void PieceTracer::trace(const Vec3& lightDir, PrismLight& light) {
 }
 
 void PieceTracer::begin(int entry, const Vec3& inside) {
-  static_cast<Beam&>(from_) = {inside, 1.0, 1.0, 0, wanted_.next(WantedPaths::kStart, entry), 0};
+  entry_ = entry;
+  static_cast<Beam&>(from_) = {inside, 1.0, 1.0, 0, wanted_.next(WantedPaths::kStart, entry), 0, {}};
+  if (chains_) from_.faces = code_.with({}, chains_->numberOf[static_cast<std::size_t>(entry)], 0);
   from_.count = 0;
   const double half = 0.5 * length_;
   const auto add = [&](const Vec2& at, double z) { from_.corners[from_.count++].at = Vec3(at, z); };
@@ -162,6 +165,12 @@ bool PieceTracer::goesOnFrom(Beam& beam, int face, double cosine) {
   beam.state = wanted_.next(beam.state, face);
   const bool isWanted = wanted_.isWanted(beam.state), goesOn = wanted_.goesOn(beam.state);
   if (isWanted) (*arrived_)[beam.element][face] += beam.share;
+  if (chains_) {
+    beam.faces = code_.with(beam.faces, chains_->numberOf[static_cast<std::size_t>(face)], beam.met + 1);
+    if (isWanted)
+      chains_->all.push_back(
+          {{entry_, beam.element, face}, goesIn_ * beam.share, beam.state, beam.faces, beam.met + 2});
+  }
   if (!goesOn && !(isWanted && detailed_)) return false;
   const double reflectance = fresnel(std::min(cosine, 1.0), outOf_).reflectance;
   if (isWanted && detailed_ && beam.met < PrismLight::kOrdersTold)

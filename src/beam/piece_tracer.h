@@ -8,8 +8,24 @@
 #include "beam/prism_light.h"
 #include "beam/prism_section.h"
 #include "beam/wanted_paths.h"
+#include "crystal/raypath/path_code.h"
 
 namespace parhelion {
+
+/// Light that meets a face from inside, told apart by all that it met before.
+struct LightChain {
+  PrismClass of;
+  double light;           // in the units of shadows
+  int state;              // of WantedPaths
+  PathCode::Words faces;  // from the first on, so many
+  int count;
+};
+
+/// Chains of one direction, and by what numbers they know faces.
+struct LightChains {
+  std::array<int, kPrismFaces> numberOf;
+  std::vector<LightChain> all;
+};
 
 /// Follows light of one direction through a prism face by face, as far as it may take a path that is wanted.
 ///
@@ -24,7 +40,8 @@ class PieceTracer {
 
   /// Makes `arrived`, `cutOff` and, if detailed, `byOrder` of light whose shadows and reflectances are known those of
   /// the light that is wanted.
-  void trace(const Vec3& lightDir, PrismLight& light);
+  /// `chains`: the same light is added to them, too.
+  void trace(const Vec3& lightDir, PrismLight& light, LightChains* chains = nullptr);
 
  private:
   static constexpr int kMostCorners = 24;
@@ -40,6 +57,7 @@ class PieceTracer {
     double share;   // of the light that entered
     double weight;  // what reflections have left of a unit of it
     int element, state, met;
+    PathCode::Words faces;  // where chains are told
   };
   /// Its corners lie on the face that it is about to leave.
   struct Piece : Beam {
@@ -75,6 +93,7 @@ class PieceTracer {
   RelativeIndex into_, outOf_;  // ice
   bool detailed_;
   const WantedPaths& wanted_;
+  PathCode code_{kPrismFaces};
   std::vector<Piece> stack_;
   std::size_t waiting_ = 0;  // on the stack
   Piece from_, part_;        // that are being worked on
@@ -82,7 +101,9 @@ class PieceTracer {
   // Of the entry that is being followed.
   PrismLight::Arrivals* arrived_ = nullptr;
   double* cutOff_ = nullptr;
+  int entry_ = 0;
   PrismLight* told_ = nullptr;
+  LightChains* chains_ = nullptr;
   double goesIn_ = 0.0;  // light, in the units of shadows
   double smallest_ = 0.0, perAcross_ = 0.0;
 };

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <string>
+#include <string_view>
 
 #include "cli/commands.h"
 #include "cli/long_run_options.h"
@@ -18,7 +19,8 @@ namespace {
 // The error of a picture when none is asked for.
 constexpr double kGoal = 0.02;
 
-constexpr std::array kOfRays{"--rays", "--seed", "--sampler", "--simd", "--symmetry"};
+constexpr const char* kSeed = "--seed";
+constexpr std::array kOfRays{"--rays", kSeed, "--sampler", "--simd", "--symmetry"};
 constexpr std::array kOfLongRuns{"--time", "--slice", "--ray-range", "--resume", "--checkpoint", "--tally"};
 
 std::string listOf(const std::vector<std::string>& names) {
@@ -43,15 +45,17 @@ void requireIntegrable(const Scene& scene) {
 
 double integralGoal(const std::string& error) { return error.empty() ? kGoal : errorGoalIn(error); }
 
-void refuseRayOptions(const CLI::App& command, bool someRays) {
+void refuseRayOptions(const CLI::App& command, RayOptions taken) {
+  const bool someRays = taken == RayOptions::someRays;
   const auto refuse = [&](const char* option, const char* why) {
     const CLI::Option* known = command.get_option_no_throw(option);
     if (known && known->count() > 0) throw Unfit(option + std::string(": ") + why);
   };
   for (const char* option : kOfLongRuns)
     refuse(option, someRays ? "the engine mixed keeps no rays" : "the integral engine follows no rays");
-  if (!someRays)
-    for (const char* option : kOfRays) refuse(option, "the integral engine follows no rays");
+  if (someRays) return;
+  for (const char* option : kOfRays)
+    if (taken != RayOptions::seed || std::string_view(option) != kSeed) refuse(option, "the integral engine follows no rays");
 }
 
 nlohmann::ordered_json integralStats(double seconds, int threads, double cutOff) {

@@ -22,9 +22,12 @@ void requireIntegrable(const Scene& scene);
 /// The error that a picture is integrated to: as --error has it, or 2 %.
 double integralGoal(const std::string& error);
 
-/// Throws Unfit if an option was given that is about rays; where some are traced, about how they are kept and
-/// continued.
-void refuseRayOptions(const CLI::App& command, bool someRays = false);
+/// Which options of rays mean something to a run: none; the seed, of its own points; all but those about how rays are
+/// kept and continued.
+enum class RayOptions { none, seed, someRays };
+
+/// Throws Unfit if another option was given that is about rays.
+void refuseRayOptions(const CLI::App& command, RayOptions taken = RayOptions::none);
 
 /// The figures of a run by the names that runs of rays have for them. `cutOff`: share of the light that was given up.
 nlohmann::ordered_json integralStats(double seconds, int threads, double cutOff);

@@ -64,7 +64,7 @@ void writeMap(const MapOptions& options, const LightMap& map, const LoadedScene&
 int runSmooth(const MapOptions& options, const CLI::App& command, int binsPerHalfTurn, LoadedScene loaded) {
   const Engine engine = loaded.scene.trace.engine;
   const bool mixed = engine == Engine::mixed;
-  refuseRayOptions(command, mixed);
+  refuseRayOptions(command, mixed ? RayOptions::someRays : RayOptions::none);
   if (2 * binsPerHalfTurn * pixelsPerBin(binsPerHalfTurn) > kMaxImageSide)
     throw Unfit("--step: the integral engine has no bins as small as that");
   const LoadedScene whole = sceneOfMap(loaded, binsPerHalfTurn);

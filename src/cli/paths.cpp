@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/commands.h"
+#include "cli/integral_run.h"
+#include "cli/long_run_options.h"
 #include "cli/number_options.h"
 #include "cli/outputs.h"
 #include "cli/run_options.h"
@@ -17,8 +19,12 @@
 #include "cli/text_output.h"
 #include "cli/trace_watch.h"
 #include "math/rotation.h"
+#include "parallel/run_clock.h"
+#include "parallel/threads.h"
 #include "picture/auto_exposure.h"
 #include "picture/memory_limit.h"
+#include "render/integrated_paths.h"
+#include "render/mixed_sky.h"
 #include "render/needs.h"
 #include "render/path_map.h"
 #include "render/sky_files.h"
@@ -41,6 +47,7 @@ struct PathsOptions {
   double radius = kUsualRadius;  // degrees
   int top = 0;                   // 0: all in files, kUsualTop on the terminal
   std::string csv, json, map;
+  std::string error;  // aimed at by the integral engine; empty: as chosen
 
   static constexpr int kUsualTop = 20;
 };
@@ -146,40 +153,125 @@ PathLedgerScope scopeOf(const PathsOptions& options, const PathSettings& paths) 
   return scope;
 }
 
+/// The scene with the strongest families of a ledger's paths for its layers.
+LoadedScene layeredBy(const PathLedger& ledger, const PathsOptions& options, const LoadedScene& loaded,
+                      const Cloud& cloud) {
+  LoadedScene layered = loaded;
+  layered.scene.trace.paths.layers =
+      strongestPaths(ledger.entries(kReferenceWavelength), cloud,
+                     options.top > 0 ? std::min<std::size_t>(options.top, kMostHues) : kMostHues);
+  return layered;
+}
+
+/// A sky painted by its layers.
+void writeLayered(const PathsOptions& options, const LoadedScene& layered, const Image& sky, Transaction& outputs) {
+  std::vector<std::string> names;
+  for (const LayerSettings& layer : layered.scene.trace.paths.layers) names.push_back(layer.name);
+  const double stops = autoExposure(sky);
+  writePreview(outputs.at(options.map), paintByLayer(sky, names, stops), stops, layered.text);
+}
+
+/// Only light that the scene's camera sees: which paths there are in the picture.
+PathLedgerScope scopeOfMap(const PathsOptions& options, const Scene& scene) {
+  PathLedgerScope scope = scopeOf(options, scene.trace.paths);
+  scope.view = scene.camera;
+  return scope;
+}
+
 /// The sky painted by the strongest families of paths.
 void writeMap(const PathsOptions& options, const LoadedScene& loaded, const Cloud& cloud, Transaction& outputs) {
-  // Which paths there are in the picture.
   constexpr std::uint64_t kPilotRays = 500'000;
   TraceSettings pilot = loaded.scene.trace;
   pilot.rays = kPilotRays;
-  PathLedgerScope scope = scopeOf(options, pilot.paths);
-  scope.view = loaded.scene.camera;
-  PathLedger ledger(cloud, scope);
+  PathLedger ledger(cloud, scopeOfMap(options, loaded.scene));
   traceRays(cloud, pilot, 0, ledger, traceControl(options.run, nullptr));
 
-  LoadedScene layered = loaded;
-  std::vector<LayerSettings>& layers = layered.scene.trace.paths.layers;
-  layers = strongestPaths(ledger.entries(kReferenceWavelength), cloud,
-                          options.top > 0 ? std::min<std::size_t>(options.top, kMostHues) : kMostHues);
+  const LoadedScene layered = layeredBy(ledger, options, loaded, cloud);
   requireMemory("the map of paths", memoryToRender(skySizeOf(layered.scene), layered.scene.recon, options.run.threads));
   TraceWatch watch(options.run, layered.scene.trace.rays);
   const TracedSky traced = traceSky(layered, cloud, watch.control());
   watch.report(traced.report, traced.settings);
-  const ReconstructedSky sky = developSky(traced, layered, options.run.threads);
-  std::vector<std::string> names;
-  for (const LayerSettings& layer : layers) names.push_back(layer.name);
-  const double stops = autoExposure(sky.image);
-  writePreview(outputs.at(options.map), paintByLayer(sky.image, names, stops), stops, loaded.text);
+  writeLayered(options, layered, developSky(traced, layered, options.run.threads).image, outputs);
 }
 
-int runPaths(const PathsOptions& options) {
+/// The same without rays.
+void writeSmoothMap(const PathsOptions& options, const LoadedScene& loaded, const Cloud& cloud, Transaction& outputs) {
+  constexpr double kPilotError = 1e-3, kPictureError = 0.05;
+  const LoadedScene layered = withThreads(options.run.threads, [&] {
+    const IntegratedPaths pilot = integratePaths(loaded.scene, cloud, scopeOfMap(options, loaded.scene), kPilotError);
+    return layeredBy(pilot.ledger, options, loaded, cloud);
+  });
+  requireIntegrable(layered.scene);
+  requireMemory("the map of paths",
+                memoryToIntegrate(skySizeOf(layered.scene)) + memoryOfOrientations(layered.scene, kPictureError));
+  const MixedSky made = mixSky(layered, kPictureError, traceControl(options.run, nullptr));
+  if (!options.run.quiet) reportSmooth(made);
+  writeLayered(options, layered, made.sky.image, outputs);
+}
+
+/// The tables of a ledger.
+void writeTables(const PathsOptions& options, const PathLedger& ledger, const Cloud& cloud, std::uint64_t rays,
+                 Transaction& outputs) {
+  std::vector<PathLedger::Entry> entries = ledger.entries(kReferenceWavelength);
+  if (options.csv.empty() && options.json.empty() && options.map.empty())
+    printTable(entries, cloud, options.top > 0 ? options.top : PathsOptions::kUsualTop);
+  if (options.top > 0 && entries.size() > static_cast<std::size_t>(options.top))
+    entries.resize(static_cast<std::size_t>(options.top));
+  if (!options.csv.empty()) writeText(outputs.at(options.csv), csvOf(entries, cloud));
+  if (!options.json.empty()) writeJson(outputs.at(options.json), jsonOf(entries, cloud, ledger, rays));
+}
+
+Transaction claimPaths(const PathsOptions& options) {
+  return claimOutputs({{options.run.scene}, {options.csv, options.json, options.map, options.run.stats}},
+                      options.run.overwrite);
+}
+
+int runIntegral(const PathsOptions& options, const CLI::App& command, const LoadedScene& loaded) {
+  refuseRayOptions(command, RayOptions::seed);
+  if (!options.rayFor.empty()) throw Unfit("--ray-for: the integral engine follows no rays");
+  if (const std::string objection = objectionToIntegratedPaths(loaded.scene); !objection.empty())
+    throw Unfit("engine integral: " + objection + "; rays can do it, with another engine, such as auto");
+  constexpr double kGoal = 1e-4;
+  const double goal = options.error.empty() ? kGoal : errorGoalIn(options.error);
+  const Cloud cloud = cloudByLight(loaded.scene);
+  const PathLedgerScope scope = scopeOf(options, loaded.scene.trace.paths);
+  Transaction outputs = claimPaths(options);
+  const RunClock clock;
+  const IntegratedPaths paths =
+      withThreads(options.run.threads, [&] { return integratePaths(loaded.scene, cloud, scope, goal); });
+  const double seconds = clock.seconds(), out = 1.0 - paths.filtered - paths.cutOff;
+  if (!options.run.quiet) {
+    say("%ld directions in %.2f s, %.3g a second: shares to %.2g", paths.directions, seconds,
+        static_cast<double>(paths.directions) / seconds, paths.error);
+    say("energy: in 1 = out %.9f + filtered %.9f + cut off %.3g", out, paths.filtered, paths.cutOff);
+  }
+  if (!paths.reached) say("warning: the error asked for was not reached; the table has its errors as they are");
+  if (!options.map.empty()) writeSmoothMap(options, loaded, cloud, outputs);
+  writeTables(options, paths.ledger, cloud, 0, outputs);
+  if (!options.run.stats.empty()) {
+    nlohmann::ordered_json json = integralStats(seconds, options.run.threads, paths.cutOff);
+    json["energy"]["out"] = out;
+    json["energy"]["filtered"] = paths.filtered;
+    json["directions"] = paths.directions;
+    json["error"] = paths.error;
+    json["reached"] = paths.reached;
+    writeJson(outputs.at(options.run.stats), json);
+  }
+  outputs.commit();
+  return kDone;
+}
+
+int runPaths(const PathsOptions& options, const CLI::App& command) {
   const LoadedScene loaded = options.run.load();
+  if (loaded.scene.trace.engine == Engine::integral) return runIntegral(options, command, loaded);
+  if (loaded.scene.trace.engine == Engine::mixed)
+    throw Unfit("engine mixed: it makes pictures and maps; paths take rays, or the engine integral");
+  if (!options.error.empty()) throw Unfit("--error: it is for --engine integral; rays take --rays or --time");
   const Cloud cloud = cloudOf(loaded.scene);
   TraceSettings settings = chosenSettings(cloud, loaded.scene.trace);
   settings.symmetry = Symmetry::none;
   const PathLedgerScope scope = scopeOf(options, settings.paths);
-  Transaction outputs = claimOutputs({{options.run.scene}, {options.csv, options.json, options.map, options.run.stats}},
-                                     options.run.overwrite);
+  Transaction outputs = claimPaths(options);
   PathLedger ledger(cloud, scope);
   TraceWatch watch(options.run, settings.rays);
   const StopSignal stop;
@@ -192,14 +284,8 @@ int runPaths(const PathsOptions& options) {
     if (!ray) throw std::runtime_error("no ray lit that part of the sky: more --rays or a larger --radius");
     answer("%llu", static_cast<unsigned long long>(*ray));
   } else {
-    std::vector<PathLedger::Entry> entries = ledger.entries(kReferenceWavelength);
-    if (options.csv.empty() && options.json.empty() && options.map.empty())
-      printTable(entries, cloud, options.top > 0 ? options.top : PathsOptions::kUsualTop);
     if (!options.map.empty() && !stop.requested()) writeMap(options, loaded, cloud, outputs);
-    if (options.top > 0 && entries.size() > static_cast<std::size_t>(options.top))
-      entries.resize(static_cast<std::size_t>(options.top));
-    if (!options.csv.empty()) writeText(outputs.at(options.csv), csvOf(entries, cloud));
-    if (!options.json.empty()) writeJson(outputs.at(options.json), jsonOf(entries, cloud, ledger, report.rays));
+    writeTables(options, ledger, cloud, report.rays, outputs);
   }
   if (!options.run.stats.empty()) writeJson(outputs.at(options.run.stats), statsJson(figures));
   outputs.commit();
@@ -248,10 +334,13 @@ void addPaths(CLI::App& app, int& exit) {
       ->type_name("AZ,EL")
       ->check(CLI::Validator(validDirection, ""))
       ->excludes(at);
+  addErrorGoal(*command, options->error,
+               "With --engine integral: the standard error of shares to aim at; 0.01% when left out");
+  options->run.mayIntegrate = true;
   command->callback([options, command, &exit] {
     if (command->count("--radius") > 0 && options->at.empty() && options->rayFor.empty())
       throw CLI::ValidationError("--radius", "is that of --at or --ray-for");
-    exit = runPaths(*options);
+    exit = runPaths(*options, *command);
   });
 }
 

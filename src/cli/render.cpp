@@ -74,7 +74,7 @@ std::filesystem::path tallyOf(const SkyFiles& files) {
 /// Renders without rays, or with rays for some populations alone.
 int renderSmooth(const RenderOptions& options, const CLI::App& command, LoadedScene loaded) {
   const bool mixed = loaded.scene.trace.engine == Engine::mixed;
-  refuseRayOptions(command, mixed);
+  refuseRayOptions(command, mixed ? RayOptions::someRays : RayOptions::none);
   requireIntegrable(loaded.scene);
   const std::string& scene = options.run.scene;
   SkyFiles files = options.picture.files(scene);

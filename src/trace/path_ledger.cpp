@@ -96,6 +96,7 @@ PathLedger::PathLedger(const Cloud& cloud, const PathLedgerScope& scope)
         {PathClasses(population.mesh(), pathSymmetries(population.mesh(), population.orientation(), scope.symmetry)),
          {},
          {},
+         {},
          {}});
 }
 
@@ -119,9 +120,9 @@ int PathLedger::classOf(int population, const PathCode::Words& words, int count)
   return found->second;
 }
 
-bool PathLedger::isInScope(const TracedRays& traced, int exit, const Vec3& toSky) const {
-  if (traced.exits.undeviated[exit] != 0.0) return false;
-  if (scope_.layer && traced.exits.layer[static_cast<std::size_t>(exit)] != *scope_.layer) return false;
+bool PathLedger::isInScope(bool undeviated, int layer, const Vec3& toSky) const {
+  if (undeviated) return false;
+  if (scope_.layer && layer != *scope_.layer) return false;
   if (camera_ && !camera_->project(toSky)) return false;
   return !scope_.region || glm::dot(toSky, scope_.region->toCentre) >= std::cos(scope_.region->radius);
 }
@@ -141,7 +142,6 @@ void PathLedger::sample(Sums& sums, const Vec3& toSky, double energy, std::uint6
 int PathLedger::add(const TracedRays& traced) {
   const auto& [queue, exits, members, population, mesh, steps] = traced;
   OfPopulation& own = populations_[static_cast<std::size_t>(population)];
-  const bool mirrored = cloud_.populations()[static_cast<std::size_t>(population)].isMirrorSymmetric();
   ByBundle byBundle;
   byBundle.sort(queue, exits.ray, exits.count);
   BundleDeposits<double> deposits;
@@ -152,7 +152,8 @@ int PathLedger::add(const TracedRays& traced) {
     for (int i = byBundle.begin(place); i < byBundle.begin(place + 1); ++i) {
       const int exit = byBundle.item(i), ray = static_cast<int>(exits.ray[exit]);
       const Vec3 toSky = -exits.lightDir(exit);
-      if (!isInScope(traced, exit, toSky)) continue;
+      const int layer = scope_.layer ? exits.layer[static_cast<std::size_t>(exit)] : 0;
+      if (!isInScope(exits.undeviated[exit] != 0.0, layer, toSky)) continue;
       const int order = static_cast<int>(exits.order[exit]);
       const double light = exits.energy[exit] * queue.light[ray].light;
       const int number = classOf(population, {exits.pathFirst[exit], exits.pathLast[exit]}, order + 1);
@@ -160,9 +161,8 @@ int PathLedger::add(const TracedRays& traced) {
       all += light;
       const std::uint64_t index = queue.bundle[place] * static_cast<std::uint64_t>(queue.members) +
                                   static_cast<std::uint64_t>(queue.memberOf(ray));
-      // Right of the sun is as good as left of it.
-      const Vec3 shown(toSky.x, mirrored && !scope_.region ? -std::abs(toSky.y) : toSky.y, toSky.z);
-      if (light > 0.0) sample(own.sums[static_cast<std::size_t>(number)], shown, light, index, order);
+      if (light > 0.0)
+        sample(own.sums[static_cast<std::size_t>(number)], shown(population, toSky), light, index, order);
       if (light > brightest_ || (light == brightest_ && index < brightestRay_)) {
         brightest_ = light;
         brightestRay_ = index;
@@ -183,6 +183,39 @@ int PathLedger::add(const TracedRays& traced) {
   return placed;
 }
 
+Vec3 PathLedger::shown(int population, const Vec3& toSky) const {
+  // Right of the sun is as good as left of it.
+  const bool mirrored = cloud_.populations()[static_cast<std::size_t>(population)].isMirrorSymmetric();
+  return {toSky.x, mirrored && !scope_.region ? -std::abs(toSky.y) : toSky.y, toSky.z};
+}
+
+void PathLedger::add(const Beam& beam) {
+  if (!(beam.light > 0.0) || !isInScope(beam.undeviated, beam.layer, beam.toSky)) return;
+  OfPopulation& own = populations_[static_cast<std::size_t>(beam.population)];
+  const auto number = static_cast<std::size_t>(classOf(beam.population, beam.faces, beam.count));
+  if (own.copy.size() <= number) own.copy.resize(number + 1, 0.0);
+  own.copy[number] += beam.light;
+  copyAll_ += beam.light;
+  sample(own.sums[number], shown(beam.population, beam.toSky), beam.light, beam.point, beam.number);
+}
+
+void PathLedger::endCopy(double intercepted) {
+  for (OfPopulation& own : populations_) {
+    for (std::size_t number = 0; number < own.copy.size(); ++number) {
+      const double light = own.copy[number];
+      Sums& sums = own.sums[number];
+      sums.light.add(light);
+      sums.squares.add(light * light);
+      sums.withAll.add(light * copyAll_);
+    }
+    own.copy.clear();
+  }
+  all_.add(copyAll_);
+  allSquares_.add(copyAll_ * copyAll_);
+  intercepted_.add(intercepted);
+  copyAll_ = 0.0;
+}
+
 void PathLedger::merge(Film& fromThread) {
   auto& other = dynamic_cast<PathLedger&>(fromThread);
   for (std::size_t p = 0; p < populations_.size(); ++p) {
@@ -193,11 +226,14 @@ void PathLedger::merge(Film& fromThread) {
       sums.squares.merge(more.sums[i].squares);
       sums.withAll.merge(more.sums[i].withAll);
       sums.samples.insert(sums.samples.end(), more.sums[i].samples.begin(), more.sums[i].samples.end());
-      std::sort(sums.samples.begin(), sums.samples.end());  // the highest keys first
-      if (sums.samples.size() > kSamples) sums.samples.resize(kSamples);
+      if (sums.samples.size() > kSamples) {
+        const auto last = sums.samples.begin() + kSamples;  // of the highest keys
+        std::nth_element(sums.samples.begin(), last, sums.samples.end());
+        sums.samples.erase(last, sums.samples.end());
+      }
       std::make_heap(sums.samples.begin(), sums.samples.end());
     }
-    more = {more.classes, {}, {}, {}};
+    more = {more.classes, {}, {}, {}, {}};
     other.known_[p].clear();
   }
   intercepted_.merge(other.intercepted_);
@@ -212,6 +248,21 @@ void PathLedger::merge(Film& fromThread) {
   other.brightest_ = 0.0;
 }
 
+double PathLedger::errorOf(const Sums& sums) const {
+  const double all = all_.value(), share = sums.light.value() / all;
+  // Of a quotient of sums over independent bundles.
+  const double variance =
+      sums.squares.value() - 2.0 * share * sums.withAll.value() + share * share * allSquares_.value();
+  return std::sqrt(std::max(0.0, variance)) / all;
+}
+
+double PathLedger::largestError() const {
+  double largest = 0.0;
+  for (const OfPopulation& own : populations_)
+    for (const Sums& sums : own.sums) largest = std::max(largest, errorOf(sums));
+  return largest;
+}
+
 std::vector<PathLedger::Entry> PathLedger::entries(double wavelength) const {
   std::vector<Entry> entries;
   const double all = all_.value();
@@ -222,9 +273,6 @@ std::vector<PathLedger::Entry> PathLedger::entries(double wavelength) const {
     for (std::size_t i = 0; i < own.sums.size(); ++i) {
       const Sums& sums = own.sums[i];
       const double share = sums.light.value() / all;
-      // Of a quotient of sums over independent bundles.
-      const double variance =
-          sums.squares.value() - 2.0 * share * sums.withAll.value() + share * share * allSquares_.value();
       std::vector<Sample> samples = sums.samples;
       std::sort(samples.begin(), samples.end());
       std::vector<Vec3> toSky;
@@ -233,9 +281,9 @@ std::vector<PathLedger::Entry> PathLedger::entries(double wavelength) const {
       constexpr std::size_t kKnown = 64;
       if (cloud_.populations()[p].isMirrorSymmetric() && !scope_.region && toSky.size() >= kKnown)
         for (const Sample& one : samples) toSky.emplace_back(one.toSky.x, -one.toSky.y, one.toSky.z);
-      entries.push_back({own.classes.text(own.classAt[i]), static_cast<int>(p), share,
-                         std::sqrt(std::max(0.0, variance)) / all, densestAmong(toSky),
-                         own.classes.leastDeviation(own.classAt[i], index), names.of(own.classAt[i])});
+      entries.push_back({own.classes.text(own.classAt[i]), static_cast<int>(p), share, errorOf(sums),
+                         densestAmong(toSky), own.classes.leastDeviation(own.classAt[i], index),
+                         names.of(own.classAt[i])});
     }
   }
   std::ranges::sort(entries, [](const Entry& a, const Entry& b) {

@@ -43,6 +43,25 @@ class PathLedger : public Film {
   std::unique_ptr<Film> forThread() override;
   void merge(Film& fromThread) override;
 
+  /// Light that was integrated instead of traced, by one path: where it goes, and which of all it is.
+  struct Beam {
+    int population;
+    PathCode::Words faces;
+    int count;  // of faces
+    Vec3 toSky;
+    double light;
+    bool undeviated;
+    int layer;
+    std::uint64_t point;  // of the quadrature
+    int number;           // among those of the point
+  };
+
+  /// Adds light of a copy of a quadrature. A copy's light is to be some thousand units, of which it is rounded to 1e-8.
+  void add(const Beam& beam);
+
+  /// All light of the copy is there. As a bundle's rays do it goes together; copies are independent.
+  void endCopy(double intercepted);
+
   struct Entry {
     std::string path;  // a pattern
     int population;
@@ -54,6 +73,9 @@ class PathLedger : public Film {
 
   /// Most light first. Refractive indices are those of `wavelength` (nm).
   std::vector<Entry> entries(double wavelength) const;
+
+  /// The largest standard error of a class's share.
+  double largestError() const;
 
   /// Light in scope as a share of all that is intercepted.
   double shareOfIntercepted() const;
@@ -80,6 +102,7 @@ class PathLedger : public Film {
     std::map<PathClass, int> numberOf;  // into sums
     std::vector<PathClass> classAt;
     std::vector<Sums> sums;
+    std::vector<double> copy;  // light of the copy that is being added, by class
   };
   /// What a path's words stand for, looked up once.
   struct Known {
@@ -95,8 +118,10 @@ class PathLedger : public Film {
 
   int classOf(int population, const PathCode::Words& words, int count);
   int numberOf(OfPopulation& own, const PathClass& path);
+  double errorOf(const Sums& sums) const;
   void sample(Sums& sums, const Vec3& toSky, double energy, std::uint64_t ray, int order) const;
-  bool isInScope(const TracedRays& traced, int exit, const Vec3& toSky) const;
+  bool isInScope(bool undeviated, int layer, const Vec3& toSky) const;
+  Vec3 shown(int population, const Vec3& toSky) const;
 
   const Cloud& cloud_;
   PathLedgerScope scope_;
@@ -105,6 +130,7 @@ class PathLedger : public Film {
   std::vector<std::unordered_map<Known, int, HashOfKnown>> known_;  // by population
   LightTotal intercepted_, all_;
   SquareTotal allSquares_;
+  double copyAll_ = 0.0;
   double brightest_ = 0.0;
   std::uint64_t brightestRay_ = 0;
 };

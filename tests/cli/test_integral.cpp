@@ -113,6 +113,11 @@ TEST_CASE("what cannot be integrated is one clear error, and writes nothing") {
                          {"map s.toml --engine mixed --tally t.exr -o o.csv", "--tally"},
                          {"map s.toml --engine integral --step 0.01 -o o.csv", "--step"},
                          {"map s.toml --error 1% --rays 1k -o o.csv", "--error"},
+                         {"paths s.toml --engine integral -D population.short.orientation=lowitz --csv o.csv", "short"},
+                         {"paths s.toml --engine integral --ray-for 22,0 --csv o.csv", "--ray-for"},
+                         {"paths s.toml --engine integral --rays 1M --csv o.csv", "--rays"},
+                         {"paths s.toml --engine mixed --csv o.csv", "it makes pictures"},
+                         {"paths s.toml --error 1% --rays 1k --csv o.csv", "--error"},
                          {"render s.toml --engine integral -D population.short.orientation=lowitz -o o.exr", "short"},
                          {"render s.toml --engine integral -D population.short.orientation=parry -o o.exr", "rolls"},
                          {"render s.toml --engine integral --paths '3-5, symmetry = none' -o o.exr", "symmetry"},
@@ -192,6 +197,36 @@ TEST_CASE("a map is integrated into the same table and the same picture as rays 
   const Outcome picture = run(folder, command + "--engine integral --error 5% -o o.exr && parhelion info o.exr");
   CHECK_MESSAGE(picture.exit == 0, picture.err);
   CHECK(picture.out.find("36 x 19") != std::string::npos);
+}
+
+TEST_CASE("paths are integrated into the same tables as rays make, and paint a picture without rays") {
+  const WithPrisms folder;
+  const std::string command = "parhelion paths s.toml -D population.long.aspect=2.0 --at 22,0 --radius 3 ";
+  const Outcome integral = run(folder, command + "--engine integral --error 1% --seed 4 --json i.json --stats t.json");
+  CHECK_MESSAGE(integral.exit == 0, integral.err);
+  CHECK(integral.err.find("directions") != std::string::npos);
+  const Outcome rays = run(folder, command + "--rays 500k --quiet --json r.json");
+  CHECK(rays.exit == 0);
+  const auto a = nlohmann::json::parse(readFile(folder / "i.json")),
+             b = nlohmann::json::parse(readFile(folder / "r.json"));
+  for (const auto& [key, value] : b.items()) CHECK_MESSAGE(a.contains(key), key);
+  const auto &ours = a["paths"][0], &theirs = b["paths"][0];
+  for (const auto& [key, value] : theirs.items()) CHECK_MESSAGE(ours.contains(key), key);
+  CHECK(ours["path"] == "3-5");
+  CHECK(ours["name"] == theirs["name"]);
+  CHECK(ours["share"].get<double>() ==
+        doctest::Approx(theirs["share"].get<double>()).epsilon(0.1));  // of half a million rays
+  const auto stats = nlohmann::json::parse(readFile(folder / "t.json"));
+  CHECK(stats["reached"] == true);
+  CHECK(stats["error"].get<double>() <= 0.01);
+  CHECK(stats["energy"]["out"].get<double>() > 0.9999);
+
+  const Outcome map = run(folder,
+                          "parhelion paths s.toml -D population.long.aspect=2.0 -D camera.resolution=[64,64] "
+                          "--engine integral --error 1% --top 3 --quiet --map o.png --csv -");
+  CHECK_MESSAGE(map.exit == 0, map.err);
+  CHECK(lines(map.out) == 4);
+  CHECK(std::filesystem::exists(folder / "o.png"));
 }
 
 TEST_CASE("frames of a sweep are integrated once, and again where another error is asked for") {
