@@ -8,8 +8,6 @@
 #include <optional>
 #include <stdexcept>
 
-#include <glm/geometric.hpp>
-
 #include "beam/light_class.h"
 #include "beam/piece_tracer.h"
 #include "beam/prism_tracer.h"
@@ -83,7 +81,7 @@ class PathPopulation {
       tracer_.emplace(section_, length, ice.index, kCutShare, false, wanted_);
       outside_.emplace(section_, length, ice.index, kCutShare);
     }
-    const Vec3 lightDir = glm::transpose(rotation) * -toSun;
+    const Vec3 lightDir = -toSun * rotation;  // by its parts along the columns
     outside_->meetOutside(lightDir, light_);
     chains_.all.clear();
     tracer_->trace(lightDir, light_, &chains_);
