@@ -26,8 +26,8 @@ constexpr int kMostDepth = 12;
 constexpr double kDimmest = 1e-4;
 
 // Of what a mesh of half as many nodes differs by: where it errs the same way everywhere, a third is left; where signs
-// are mixed, errors add up as squares.
-constexpr double kSystematic = 1.0 / 3.0, kMixed = 1.0;
+// are mixed, errors add up as squares. Light of some paths alone ends at an edge, where finer meshes gain less.
+constexpr double kSystematic = 1.0 / 3.0, kAtEdges = 1.0, kMixed = 1.0;
 // The goal is met by this share of what both meshes differ by: errors of bins are then as large as the goal.
 constexpr double kOfGoal = 0.36;
 // Mean cosine and mean way are aimed at with this share of the bins' error.
@@ -133,6 +133,9 @@ class Integration {
       out_ += patch.totals.out;
       path_ += patch.totals.path;
     }
+    // Bins that no wanted light reaches are no better for that.
+    const auto dark = scene_.wanted.empty() ? 0 : std::ranges::count(expected_, 0.0);
+    lit_ = std::max(1.0, static_cast<double>(bins_) - static_cast<double>(dark));
     const double width = (to_ - from_) / bins_;
     for (std::size_t bin = 0; bin < expected_.size(); ++bin) {
       const double angle = from_ + (static_cast<double>(bin) + 0.5) * width;
@@ -148,9 +151,9 @@ class Integration {
       squares += relative * relative;
     }
     // The sums over all light are to be so much better than bins.
-    squares += bins_ * (square(made.totals.cosine - made.coarse.cosine) / square(kBetter * intercepted_) +
-                        (path_ > 0.0 ? square(made.totals.path - made.coarse.path) / square(kBetter * path_) : 0.0));
-    const double allowed = accuracy_.error * accuracy_.error * static_cast<double>(bins_) * patch.bounds.area() / area_;
+    squares += lit_ * (square(made.totals.cosine - made.coarse.cosine) / square(kBetter * intercepted_) +
+                       (path_ > 0.0 ? square(made.totals.path - made.coarse.path) / square(kBetter * path_) : 0.0));
+    const double allowed = accuracy_.error * accuracy_.error * lit_ * patch.bounds.area() / area_;
     if (kOfGoal * squares > allowed) {
       if (patch.depth < kMostDepth) {
         for (const Patch& quarter : quarters(patch)) next.push_back(quarter);
@@ -182,7 +185,7 @@ class Integration {
       result_.light.push_back(per * sum_[bin]);
       result_.x.push_back(per * x_[bin]);
       result_.z.push_back(per * z_[bin]);
-      const double systematic = kSystematic * systematic_[bin];
+      const double systematic = (scene_.wanted.empty() ? kSystematic : kAtEdges) * systematic_[bin];
       squares.push_back(systematic * systematic + kMixed * kMixed * mixed_[bin]);
     }
     // Both meshes may agree by chance in one bin: it is not better than those beside it.
@@ -214,6 +217,7 @@ class Integration {
   std::vector<double> expected_, sum_, x_, z_, systematic_, mixed_;
   ScatterTotals totals_, difference_;
   double intercepted_ = 0.0, out_ = 0.0, path_ = 0.0;  // by the first patches
+  double lit_ = 0.0;                                   // bins that have any light
   double cosineSquares_ = 0.0, pathSquares_ = 0.0;
   ScatterIntegral result_;
 };

@@ -13,7 +13,7 @@ inline constexpr std::size_t kPatchesAtATime = 64;
 
 /// How finely it is integrated.
 struct ScatterAccuracy {
-  /// Aimed at for the root of the mean squared relative error of all bins.
+  /// Aimed at for the root of the mean squared relative error of all bins; where paths are wanted, of those with light.
   double error = 0.01;
   /// Of all light: what is below it is not cut up any more (PrismTracer).
   double cutShare = 1e-5;
