@@ -55,7 +55,8 @@ void refuseRayOptions(const CLI::App& command, RayOptions taken) {
     refuse(option, someRays ? "the engine mixed keeps no rays" : "the integral engine follows no rays");
   if (someRays) return;
   for (const char* option : kOfRays)
-    if (taken != RayOptions::seed || std::string_view(option) != kSeed) refuse(option, "the integral engine follows no rays");
+    if (taken != RayOptions::seed || std::string_view(option) != kSeed)
+      refuse(option, "the integral engine follows no rays");
 }
 
 nlohmann::ordered_json integralStats(double seconds, int threads, double cutOff) {
