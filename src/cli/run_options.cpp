@@ -145,7 +145,8 @@ LoadedScene RunOptions::load(const std::vector<std::string>& more) const {
   const Engine chosen = loaded.scene.trace.engine;
   if ((chosen == Engine::integral || chosen == Engine::mixed) && !mayIntegrate)
     throw Unfit("engine " + std::string(nameOf(chosen)) +
-                ": it makes pictures (render), maps, profiles and tables of paths; all else takes rays, with another engine, such as "
+                ": it makes pictures (render), maps, profiles and tables of paths; all else takes rays, with another "
+                "engine, such as "
                 "auto");
   return loaded;
 }
