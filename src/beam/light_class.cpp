@@ -30,7 +30,10 @@ Triple<double> lightDirAt(double phi, double zeta) {
 }
 
 TracedDirection tracedDirection(double phi, double zeta, double towards) {
-  const double besidePhi = besidePlanes(phi, towards), besideZeta = std::clamp(zeta, kAside, 0.5 * kPi - kAside);
+  constexpr double kAcross = 0.5 * kPi;
+  const double besidePhi = besidePlanes(phi, towards),
+               besideZeta = zeta <= kAcross ? std::clamp(zeta, kAside, kAcross - kAside)
+                                            : std::clamp(zeta, kAcross + kAside, kPi - kAside);
   return {vectorOf(lightDirAt(besidePhi, besideZeta)), vectorOf(lightDirAt(phi, zeta)),
           besidePhi != phi || besideZeta != zeta};
 }

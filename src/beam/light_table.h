@@ -5,10 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "beam/light_class.h"
-#include "beam/prism_section.h"
-#include "beam/scatter_scene.h"
-#include "beam/wanted_paths.h"
+#include "beam/light_row.h"
 #include "math/lanes.h"
 
 namespace parhelion {
@@ -65,34 +62,17 @@ class LightTable {
   bool lightAt(double zeta, int number, const std::vector<double>& parts, int stride, double* light) const;
 
   /// What crystals intercept at that angle, and what was cut off: the means over the azimuths.
-  struct Totals {
-    double intercepted = 0.0, cutOff = 0.0;
-  };
-  Totals totalsAt(double zeta, const std::vector<double>& parts) const;
+  LightRow::Totals totalsAt(double zeta, const std::vector<double>& parts) const;
 
   long directions() const { return directions_; }
 
  private:
-  struct Row {
-    bool traced = false;
-    double met = 0.0;            // all light that is wanted
-    std::vector<int> classes;    // that have light
-    std::vector<short> slot;     // of each class; negative without light
-    std::vector<float> light;    // by slot, index and column
-    std::vector<Totals> totals;  // by index
-  };
-  Row traced(int row) const;
-  void findClasses(Row& row) const;
-  static std::vector<int> classesOf(std::span<const Row> rows);
+  LightRow traced(int row) const;
 
-  PrismSection section_;
-  std::vector<PrismShare> prisms_;
-  std::vector<double> indices_;
+  TracedPrisms of_;
   int columns_, rows_, room_;
-  double cutShare_;
-  const WantedPaths* wanted_;
   std::vector<double> sines_, cosines_;
-  std::vector<Row> table_;
+  std::vector<LightRow> table_;
   std::vector<int> classes_;
   double wantedShare_ = 1.0;
   long directions_ = 0;

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "beam/edge_parts.h"
 #include "beam/sun_frame.h"
 #include "math/portable.h"
 
@@ -12,18 +11,6 @@ namespace parhelion {
 
 namespace {
 
-// Triangles across which light stops getting out are parted so often, with exact directions; those that the camera
-// tears apart, too.
-constexpr int kEdgeDepth = 2, kTornDepth = 5;
-// Parts of a line that is one of these.
-constexpr int kLineParts = 32;
-// A triangle is torn apart where its picture is so many times larger than it would be on the axis. All that are wider
-// than this share of the picture are looked at.
-constexpr double kTorn = 8.0, kWide = 0.125;
-// Smaller triangles (rad) are flat.
-constexpr double kFlat = 0.2;
-// Such triangles are parted until they are smaller than this (pixels on the axis).
-constexpr double kSmall = 0.7;
 // c that moves less than this (rad) stands still; azimuths are parted no further than to this.
 constexpr double kStill = 1e-7, kNarrowest = 1e-6;
 
@@ -35,23 +22,11 @@ Triple<double> cross(const Triple<double>& a, const Triple<double>& b) {
 
 double lengthOf(const Triple<double>& v) { return std::sqrt(dot(v, v)); }
 
-Triple<double> middle(const Triple<double>& a, const Triple<double>& b) {
-  const Triple<double> sum = a + b;
-  const double length = lengthOf(sum);
-  return length > 0.0 ? (1.0 / length) * sum : a;
-}
-
 }  // namespace
 
 OrientationSheet::OrientationSheet(const LightTable& table, const Lens& lens, const SheetMesh& mesh)
-    : table_(table), lens_(lens), mesh_(mesh), views_(mesh.folds ? 2 : kViews) {
-  const auto room = static_cast<std::size_t>(table.room());
-  for (Nodes& nodes : nodes_) {
-    for (auto* row : {&nodes.light, &nodes.density, &nodes.excess, &nodes.along, &nodes.aside, &nodes.up})
-      row->resize(room);
-    for (auto* views : {&nodes.x, &nodes.y, &nodes.seen})
-      for (auto& row : *views) row.resize(room);
-  }
+    : table_(table), lens_(lens), mesh_(mesh), cells_(lens, mesh), views_(mesh.folds ? 2 : SheetNodes::kViews) {
+  nodes_.fill(Nodes(static_cast<std::size_t>(table.room())));
 }
 
 OrientationSheet::Four OrientationSheet::perLight(int step) const {
@@ -147,7 +122,7 @@ SheetTotals OrientationSheet::add(const SheetPoint& point, PixelFilm& film) {
   for (const Run& run : runs()) {
     if (mesh_.side == (run.upper ? CrystalSide::lower : CrystalSide::upper)) continue;
     for (const Frame& frame : run.frames) {
-      const LightTable::Totals at = table_.totalsAt(frame.zeta, parts_);
+      const LightRow::Totals at = table_.totalsAt(frame.zeta, parts_);
       totals.intercepted += frame.weight * at.intercepted;
       totals.cutOff += frame.weight * at.cutOff;
     }
@@ -223,11 +198,10 @@ Triple<double> OrientationSheet::inView(int view, const Frame& frame, double alo
   return view & 2 ? dir - 2.0 * dot(left_, dir) * left_ : dir;
 }
 
-OrientationSheet::Corner OrientationSheet::cornerOf(const Frame& frame, const Nodes& nodes, int column,
-                                                    int view) const {
+SheetCorner OrientationSheet::cornerOf(const Frame& frame, const Nodes& nodes, int column, int view) const {
   const auto k = static_cast<std::size_t>(column);
   const double light = nodes.dark ? 0.0 : nodes.light[k];
-  Corner corner{frame.azimuth, table_.azimuthAt(column), light, 0.0, 0.0, {}};
+  SheetCorner corner{frame.azimuth, table_.azimuthAt(column), light, 0.0, 0.0, {}};
   if (nodes.dark) return exitAt(corner, view);
   corner.density = nodes.density[k];
   corner.excess = nodes.excess[k];
@@ -235,9 +209,9 @@ OrientationSheet::Corner OrientationSheet::cornerOf(const Frame& frame, const No
   return corner;
 }
 
-OrientationSheet::Corner OrientationSheet::exitAt(Corner corner, int view) const {
-  const Frame frame = frameAt(corner.azimuth, upper_);
-  const auto [sin, cos] = portable::sincos(corner.phi);
+SheetCorner OrientationSheet::exitAt(SheetCorner corner, int view) const {
+  const Frame frame = frameAt(corner.row, upper_);
+  const auto [sin, cos] = portable::sincos(corner.column);
   const ClassExit<double> exit =
       LightClass(class_).exitAcross(frame.sinZeta, frame.cosZeta, sin, cos, RelativeIndexOf<double>(point_.index));
   corner.density = corner.light * exit.transmittance;
@@ -248,178 +222,21 @@ OrientationSheet::Corner OrientationSheet::exitAt(Corner corner, int view) const
 
 void OrientationSheet::addRow(const Frame& a, const Nodes& na, const Frame& b, const Nodes& nb, int step,
                               PixelFilm& film) const {
-  if (na.dark && nb.dark) return;
-  const Four per = perLight(step);
   const double share = (b.azimuth - a.azimuth) / kPi * step / table_.columns() / views_;
-  const double most = kWide * lens_.width, faint = mesh_.faint;
-  for (std::size_t v = 0; v < static_cast<std::size_t>(views_); ++v) {
-    for (int column = 0; column < table_.columns(); column += step) {
-      const auto k = static_cast<std::size_t>(column), l = k + static_cast<std::size_t>(step);
-      if (!na.dark && !nb.dark) {
-        if (na.light[k] + na.light[l] + nb.light[k] + nb.light[l] == 0.0 ||
-            std::max({na.excess[k], na.excess[l], nb.excess[k], nb.excess[l]}) <= 0.0)
-          continue;
-        const LitPlace p[4] = {{na.x[v][k], na.y[v][k], share * na.density[k]},
-                               {na.x[v][l], na.y[v][l], share * na.density[l]},
-                               {nb.x[v][k], nb.y[v][k], share * nb.density[k]},
-                               {nb.x[v][l], nb.y[v][l], share * nb.density[l]}};
-        const bool out = na.excess[k] > 0.0 && na.excess[l] > 0.0 && nb.excess[k] > 0.0 && nb.excess[l] > 0.0;
-        const double seen = na.seen[v][k] + na.seen[v][l] + nb.seen[v][k] + nb.seen[v][l];
-        if (seen == 0.0 && out) continue;
-        if (out && seen == 4.0 && std::abs(p[0].x - p[3].x) < most && std::abs(p[1].x - p[2].x) < most) {
-          const double w = std::abs(p[0].x - p[3].x) + std::abs(p[1].x - p[2].x),
-                       h = std::abs(p[0].y - p[3].y) + std::abs(p[1].y - p[2].y);
-          if (p[0].light + p[1].light + p[2].light + p[3].light < faint * std::max(1.0, w * h))
-            film.addFaintQuad(p, per);
-          else
-            film.addQuad(p, per);
-          continue;
-        }
-      }
-      if (addNodes(na, nb, k, l, v, share, per, film)) continue;
-      const int view = static_cast<int>(v);
-      const Corner c[4] = {cornerOf(a, na, column, view), cornerOf(a, na, column + step, view),
-                           cornerOf(b, nb, column, view), cornerOf(b, nb, column + step, view)};
-      const int depth = step == 1 ? kEdgeDepth : kEdgeDepth + 1;
-      const auto between = [&](const Corner& p, const Corner& q) {
-        return exitAt({0.5 * (p.azimuth + q.azimuth), 0.5 * (p.phi + q.phi), 0.5 * (p.light + q.light), 0.0, 0.0, {}},
-                      view);
-      };
-      const auto add = [&](const Corner& p, const Corner& q, const Corner& r, double part) {
-        if (p.light + q.light + r.light == 0.0) return;
-        addSky({-p.lightDir, part * p.density}, {-q.lightDir, part * q.density}, {-r.lightDir, part * r.density},
-               kTornDepth, per, film);
-      };
-      addParts(c[0], c[1], c[2], 0.5 * share, depth, between, add);
-      addParts(c[1], c[3], c[2], 0.5 * share, depth, between, add);
-    }
-  }
-}
-
-bool OrientationSheet::addNodes(const Nodes& na, const Nodes& nb, std::size_t k, std::size_t l, std::size_t view,
-                                double share, const Four& per, PixelFilm& film) const {
-  const std::pair<const Nodes*, std::size_t> all[4] = {{&na, k}, {&na, l}, {&nb, k}, {&nb, l}};
-  double light = 0.0;
-  for (const auto& [nodes, node] : all) light += nodes->dark ? 0.0 : share * nodes->light[node];
-  if (light >= mesh_.faint) return false;
-  for (const auto& [nodes, node] : all)
-    if (!nodes->dark && nodes->excess[node] > 0.0 && nodes->seen[view][node] > 0.0)
-      film.add({nodes->x[view][node], nodes->y[view][node], 0.25 * share * nodes->density[node]}, per);
-  return true;
-}
-
-void OrientationSheet::addSky(const SkyLight& a, const SkyLight& b, const SkyLight& c, int depth, const Four& per,
-                              PixelFilm& film) const {
-  const SkyLight* all[3] = {&a, &b, &c};
-  LitPlace at[3];
-  int seen = 0;
-  double nearest = -1.0;
-  for (int k = 0; k < 3; ++k) {
-    const PicturePlace<double> place = lens_.placeBeyond(all[k]->toSky);
-    at[k] = {place.x, place.y, all[k]->light};
-    seen += place.inside;
-    nearest = std::max(nearest, dot(lens_.forward, all[k]->toSky));
-  }
-  const auto squared = [](const SkyLight& p, const SkyLight& q) {
-    const Triple<double> d = p.toSky - q.toSky;
-    return dot(d, d);
-  };
-  const double sides[3] = {squared(a, b), squared(b, c), squared(c, a)};
-  const double size = std::sqrt(std::max({sides[0], sides[1], sides[2]}));
-  if (seen == 0 || nearest < mesh_.widest - size) return;
-  bool torn = seen < 3;
-  for (int k = 0; k < 3 && !torn; ++k) {
-    const LitPlace &p = at[k], &q = at[(k + 1) % 3];
-    const double most = kTorn * lens_.focal;
-    torn = (p.x - q.x) * (p.x - q.x) + (p.y - q.y) * (p.y - q.y) > most * most * sides[k] + 1.0;
-  }
-  if (!torn) return film.addTriangle(at[0], at[1], at[2], per);
-  if (seen < 3 && mesh_.hasEdge && size < kFlat) return addSeen(all, at, per, film);
-  if (depth == 0 || size * lens_.focal < kSmall) {
-    const SkyLight centre{middle(a.toSky, middle(b.toSky, c.toSky)), (a.light + b.light + c.light) / 3.0};
-    if (const PicturePlace<double> place = lens_.placeBeyond(centre.toSky); place.inside)
-      film.add({place.x, place.y, centre.light}, per);
-    return;
-  }
-  const auto half = [](const SkyLight& p, const SkyLight& q) {
-    return SkyLight{middle(p.toSky, q.toSky), 0.5 * (p.light + q.light)};
-  };
-  const SkyLight ab = half(a, b), bc = half(b, c), ca = half(c, a);
-  const auto quarter = [](SkyLight light) {
-    light.light *= 0.25;
-    return light;
-  };
-  addSky(quarter(a), quarter(ab), quarter(ca), depth - 1, per, film);
-  addSky(quarter(ab), quarter(b), quarter(bc), depth - 1, per, film);
-  addSky(quarter(ca), quarter(bc), quarter(c), depth - 1, per, film);
-  addSky(quarter(ab), quarter(bc), quarter(ca), depth - 1, per, film);
-}
-
-void OrientationSheet::addSeen(const SkyLight* const (&all)[3], const LitPlace (&at)[3], const Four& per,
-                               PixelFilm& film) const {
-  // Heights above the edges are as good as linear across so small a triangle.
-  struct Vertex {
-    LitPlace at;
-    double overCircle, overHorizon, u, v;
-  };
-  std::array<Vertex, 8> polygon{}, kept{};
-  std::size_t count = 3;
-  for (std::size_t k = 0; k < 3; ++k)
-    polygon[k] = {at[k], dot(lens_.forward, all[k]->toSky) - lens_.minCosine, all[k]->toSky.z - lens_.lowest,
-                  k == 1 ? 1.0 : 0.0, k == 2 ? 1.0 : 0.0};
-  for (double Vertex::*height : {&Vertex::overCircle, &Vertex::overHorizon}) {
-    std::size_t left = 0;
-    for (std::size_t k = 0; k < count; ++k) {
-      const Vertex &p = polygon[k], &q = polygon[(k + 1) % count];
-      const double hp = p.*height, hq = q.*height;
-      if (hp >= 0.0) kept[left++] = p;
-      if ((hp >= 0.0) == (hq >= 0.0)) continue;
-      const double t = hp / (hp - hq);
-      const auto mix = [t](double a, double b) { return a + t * (b - a); };
-      kept[left++] = {{mix(p.at.x, q.at.x), mix(p.at.y, q.at.y), mix(p.at.light, q.at.light)},
-                      mix(p.overCircle, q.overCircle),
-                      mix(p.overHorizon, q.overHorizon),
-                      mix(p.u, q.u),
-                      mix(p.v, q.v)};
-    }
-    count = left;
-    polygon = kept;
-  }
-  for (std::size_t k = 2; k < count; ++k) {
-    const Vertex &p = polygon[0], &q = polygon[k - 1], &r = polygon[k];
-    const double share = std::abs((q.u - p.u) * (r.v - p.v) - (q.v - p.v) * (r.u - p.u));
-    const auto part = [share](const LitPlace& place) { return LitPlace{place.x, place.y, share * place.light}; };
-    film.addTriangle(part(p.at), part(q.at), part(r.at), per);
-  }
+  for (int view = 0; view < views_; ++view)
+    cells_.addCells(
+        na, nb, {view, table_.columns(), step, share, perLight(step)}, film,
+        [&](bool behind, int column) { return cornerOf(behind ? b : a, behind ? nb : na, column, view); },
+        [&](const SheetCorner& corner) { return exitAt(corner, view); });
 }
 
 void OrientationSheet::addLines(const Frame& frame, const Nodes& nodes, int step, PixelFilm& film) const {
-  if (nodes.dark) return;
-  const Four per = perLight(step);
-  const double share = static_cast<double>(step) / table_.columns() / views_, most = kWide * lens_.width;
-  for (std::size_t v = 0; v < static_cast<std::size_t>(views_); ++v)
-    for (int column = 0; column < table_.columns(); column += step) {
-      const auto k = static_cast<std::size_t>(column), l = k + static_cast<std::size_t>(step);
-      const LitPlace a{nodes.x[v][k], nodes.y[v][k], share * nodes.density[k]},
-          b{nodes.x[v][l], nodes.y[v][l], share * nodes.density[l]};
-      if (nodes.excess[k] > 0.0 && nodes.excess[l] > 0.0 && nodes.seen[v][k] + nodes.seen[v][l] == 2.0 &&
-          std::abs(a.x - b.x) < most) {
-        film.addLine(a, b, per);
-        continue;
-      }
-      // Point by point.
-      const int view = static_cast<int>(v), parts = kLineParts * step;
-      const Corner from = cornerOf(frame, nodes, column, view), to = cornerOf(frame, nodes, column + step, view);
-      if (from.light + to.light == 0.0) continue;
-      for (int part = 0; part < parts; ++part) {
-        const double t = (part + 0.5) / parts;
-        const Corner at = exitAt(
-            {frame.azimuth, from.phi + t * (to.phi - from.phi), from.light + t * (to.light - from.light), 0.0, 0.0, {}},
-            view);
-        if (const PicturePlace<double> place = lens_.placeBeyond(-at.lightDir); at.excess > 0.0 && place.inside)
-          film.add({place.x, place.y, share * at.density / parts}, per);
-      }
-    }
+  const double share = static_cast<double>(step) / table_.columns() / views_;
+  for (int view = 0; view < views_; ++view)
+    cells_.addLines(
+        nodes, {view, table_.columns(), step, share, perLight(step)}, film,
+        [&](int column) { return cornerOf(frame, nodes, column, view); },
+        [&](const SheetCorner& corner) { return exitAt(corner, view); });
 }
 
 }  // namespace parhelion

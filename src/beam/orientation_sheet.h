@@ -6,7 +6,7 @@
 
 #include "beam/crystal_side.h"
 #include "beam/light_table.h"
-#include "beam/pixel_film.h"
+#include "beam/sheet_cells.h"
 #include "beam/sheet_totals.h"
 #include "sky/lens.h"
 
@@ -22,13 +22,10 @@ struct SheetPoint {
 };
 
 /// How finely it is cut up.
-struct SheetMesh {
-  double step = 0.0;     // of c and of the roll, rad
-  bool folds = false;    // the film is mirrored afterwards in the sun's vertical plane: half the azimuths do
-  double faint = 0.0;    // light to a pixel, below which it is put to its place by points
-  bool hasEdge = false;  // the projection goes on smoothly beyond what the camera sees
-  double widest = -2.0;  // cosine of the largest angle from the camera's axis that the picture shows; -2: all
-  bool coarse = true;    // the film's fourth sum is wanted
+struct SheetMesh : SheetPicture {
+  double step = 0.0;   // of c and of the roll, rad
+  bool folds = false;  // the film is mirrored afterwards in the sun's vertical plane: half the azimuths do
+  bool coarse = true;  // the film's fourth sum is wanted
   CrystalSide side = CrystalSide::both;
 };
 
@@ -49,7 +46,6 @@ class OrientationSheet {
 
  private:
   using Four = Lanes<4>::Real;
-  static constexpr int kViews = 4;
 
   /// Crystals of one azimuth: c, the light's part across it, and what is at right angles to both.
   struct Frame {
@@ -63,22 +59,10 @@ class OrientationSheet {
     std::vector<Frame> frames;  // an odd number
     bool upper;                 // the light meets the upper end; else they are those of -c
   };
-  /// What a class's light does at the nodes of a row.
-  struct Nodes {
-    bool dark = true;
-    std::vector<double> light, density, excess;          // what meets the exit, what leaves, the squared cosine outside
-    std::vector<double> along, aside, up;                // direction of the light, by across, beside and c
-    std::array<std::vector<double>, kViews> x, y, seen;  // in the picture
-  };
-  struct Corner {
-    double azimuth, phi, light, density, excess;
-    Triple<double> lightDir;  // world
-  };
+  struct Nodes : SheetNodes {
+    explicit Nodes(std::size_t room = 0) : SheetNodes(room), along(room), aside(room), up(room) {}
 
-  /// Light on its way to a place of the picture.
-  struct SkyLight {
-    Triple<double> toSky;
-    double light;
+    std::vector<double> along, aside, up;  // direction of the light, by across, beside and c
   };
 
   Frame frameAt(double azimuth, bool upper) const;
@@ -86,21 +70,16 @@ class OrientationSheet {
   void addClass(const Run& run, int number, PixelFilm& film);
   void see(const Frame& frame, int number, Nodes& nodes);
   void addRow(const Frame& a, const Nodes& na, const Frame& b, const Nodes& nb, int step, PixelFilm& film) const;
-  bool addNodes(const Nodes& na, const Nodes& nb, std::size_t k, std::size_t l, std::size_t view, double share,
-                const Four& per, PixelFilm& film) const;
   void addLines(const Frame& frame, const Nodes& nodes, int step, PixelFilm& film) const;
-  void addSky(const SkyLight& a, const SkyLight& b, const SkyLight& c, int depth, const Four& per,
-              PixelFilm& film) const;
-  /// The part of a triangle within the image circle and above a horizon that is cut.
-  void addSeen(const SkyLight* const (&all)[3], const LitPlace (&at)[3], const Four& per, PixelFilm& film) const;
-  Corner cornerOf(const Frame& frame, const Nodes& nodes, int column, int view) const;
-  Corner exitAt(Corner corner, int view) const;
+  SheetCorner cornerOf(const Frame& frame, const Nodes& nodes, int column, int view) const;
+  SheetCorner exitAt(SheetCorner corner, int view) const;
   Triple<double> inView(int view, const Frame& frame, double along, double aside, double up) const;
   PARHELION_INLINE Four perLight(int step) const;
 
   const LightTable& table_;
   Lens lens_;
   SheetMesh mesh_;
+  SheetCells cells_;
   int views_;
   // Of the sheet and the class that are being added.
   SheetPoint point_;

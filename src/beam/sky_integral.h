@@ -3,20 +3,26 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "beam/band_store.h"
 #include "beam/crystal_side.h"
 #include "beam/light_segments.h"
-#include "beam/orientation_sheet.h"
+#include "beam/prism_section.h"
+#include "beam/scatter_scene.h"
+#include "beam/sheet_totals.h"
 #include "beam/sun_points.h"
+#include "beam/wanted_paths.h"
+#include "math/rotation_columns.h"
 #include "sky/camera.h"
 
 namespace parhelion {
 
-/// Prisms whose c axes have a distribution of tilts, all azimuths and all rolls, under a sun. All functions take
-/// numbers in (0, 1), over which they are distributions.
+/// Prisms of all azimuths under a sun: their c axes have a distribution of tilts and they all rolls, or they stand
+/// alike otherwise. All functions take numbers in (0, 1), over which they are distributions.
 struct AxisScene {
   std::vector<PrismShare> prisms;             // shares of their surface
   std::vector<double> indices;                // at which light is traced; all others lie between them
@@ -26,8 +32,12 @@ struct AxisScene {
   std::vector<IndexColour> lines;             // all there is of it, each as likely; empty for continuous light
   SunFace sun;
   bool oneTilt = false;
+  std::optional<RotationColumns<double>> rest;  // of crystals that stand alike: to the world, at azimuth 0
+  PrismSection section;                         // of those; of all others it is regular
+  bool isMirrored = true;                       // the light is its own mirror image in the sun's vertical plane
   CrystalSide side = CrystalSide::both;
-  const WantedPaths* wanted = nullptr;  // light that counts, by faces of a crystal whose upper end it meets
+  // Light that counts, by faces of a crystal whose upper end it meets; of crystals that stand alike by their own.
+  const WantedPaths* wanted = nullptr;
 
   /// Whether light of one place differs in more than its brightness from that of another.
   bool hasColours() const {

@@ -105,7 +105,9 @@ bool WantedPaths::areAlike(const Faces& images) const {
   return true;
 }
 
-bool WantedPaths::areAlikeAboutC() const { return areAlike(kTurned) && areAlike(kMirrored); }
+bool WantedPaths::areAlikeMirrored() const { return areAlike(kMirrored); }
+
+bool WantedPaths::areAlikeAboutC() const { return areAlike(kTurned) && areAlikeMirrored(); }
 
 bool WantedPaths::areAlikeUpsideDown() const { return areAlike(kUpsideDown); }
 

@@ -47,6 +47,9 @@ class WantedPaths {
   /// it does not matter from where about c light comes.
   bool areAlikeAboutC() const;
 
+  /// Whether the same is wanted after a reflection in the plane through c that is across faces 3 and 6.
+  bool areAlikeMirrored() const;
+
   /// Whether the same is wanted upside down.
   bool areAlikeUpsideDown() const;
 

@@ -62,4 +62,19 @@ OrientationSampler::OrientationSampler(const OrientationSettings& settings) {
   quantile_.roll = angles_[2].quantile();
 }
 
+std::optional<RotationColumns<double>> standingOf(const OrientationSettings& settings) {
+  if (std::holds_alternative<RandomOrientation>(settings)) return std::nullopt;
+  const auto* axis = std::get_if<AxisOrientation>(&settings);
+  if (axis && !isFree(axis->azimuth, 2.0 * kPi)) return std::nullopt;
+  const OrientationSampler sampler(settings);
+  const OrientationQuantile& one = sampler.quantile();
+  const auto isFixed = [](const AngleQuantile& angle) {
+    return angle.kind != AngleQuantile::Kind::table && angle.width == 0.0;
+  };
+  if (!isFixed(one.zenith) || !isFixed(one.roll)) return std::nullopt;
+  const SineCosine<double> zenith = one.zenith.sincos(0.5), ahead{0.0, 1.0}, roll = one.roll.sincos(0.5);
+  if (axis) return axisRotation(zenith, ahead, roll);
+  return spinRotation(SineCosine<double>{zenith.cos, zenith.sin}, ahead, roll);
+}
+
 }  // namespace parhelion

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "crystal/angle_quantile.h"
@@ -28,6 +29,10 @@ class ValueSampler {
   std::function<double(double)> density_;  // holds the table that the quantile looks into
   AngleQuantile quantile_;
 };
+
+/// The crystal-to-world rotation at azimuth 0 of crystals that stand alike but for their azimuths, which are free; none
+/// of others.
+std::optional<RotationColumns<double>> standingOf(const OrientationSettings& settings);
 
 /// Draws crystal-to-world rotations. Three numbers in (0, 1) a rotation; the first matters most.
 class OrientationSampler {

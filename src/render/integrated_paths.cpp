@@ -12,6 +12,7 @@
 #include "beam/piece_tracer.h"
 #include "beam/prism_tracer.h"
 #include "beam/sun_frame.h"
+#include "crystal/orientation.h"
 #include "math/rotation.h"
 #include "math/sobol.h"
 #include "parallel/loops.h"
@@ -55,7 +56,7 @@ class PathPopulation {
         population_(cloud.populations()[static_cast<std::size_t>(number)]),
         settings_(scene.populations[static_cast<std::size_t>(number)]),
         indices_(scene, Counted::energy),
-        tellsSidesApart_(tellsSidesApart),
+        tellsSidesApart_(tellsSidesApart || standingOf(settings_.orientation)),
         wanted_(wantedBy(plan.automaton(number), numbersOf(population_))) {
     const std::vector<int> numbers = numbersOf(population_);
     for (std::size_t face = 0; face < numbers.size(); ++face) {

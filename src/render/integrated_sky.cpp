@@ -6,9 +6,11 @@
 #include <memory>
 #include <stdexcept>
 
+#include "beam/azimuth_integral.h"
 #include "beam/sky_integral.h"
 #include "beam/tilt_integral.h"
 #include "crystal/population.h"
+#include "crystal/symmetry.h"
 #include "optics/spectrum.h"
 #include "optics/sun.h"
 #include "picture/colour_space.h"
@@ -110,13 +112,20 @@ class Sky {
     return names;
   }
 
+  /// Whether crystals and their mirror images in the sun's vertical plane do the same to light that is wanted.
+  static bool isMirrored(const AxisScene& axis, const WantedPaths& wanted) {
+    const bool hasSidesAlike = std::abs(axis.rest->y.y) > 1.0 - kAngleSlack;
+    return hasSidesAlike && wanted.areAlikeMirrored();
+  }
+
   /// Part of a population's light. What crystals do that stand on their heads is another thing where paths tell their
   /// ends apart.
   PopulationSky skyOf(const PopulationSettings& population, const LightPart& part) {
     AxisScene axis = axisScene(population);
+    if (axis.rest) axis.isMirrored = isMirrorSymmetric(population) && (!part.wanted || isMirrored(axis, *part.wanted));
     if (!part.wanted) return skyOf(population, axis);
     axis.wanted = &*part.wanted;
-    if (part.wanted->areAlikeUpsideDown()) return skyOf(population, axis);
+    if (axis.rest || part.wanted->areAlikeUpsideDown()) return skyOf(population, axis);
     const WantedPaths below = part.wanted->upsideDown();
     axis.side = CrystalSide::upper;
     PopulationSky sky = skyOf(population, axis);
@@ -171,6 +180,8 @@ class Sky {
     axis.lines = indices_.lines();
     axis.sun = {sun_.toCentre(), 0.5 * sun_.diameter(), [&](double angle) { return sun_.radiance(angle); }};
     if (std::holds_alternative<RandomOrientation>(settings.orientation)) return axis;
+    axis.rest = standingOf(settings.orientation);
+    if (axis.rest) return axis;
     const auto population = std::make_shared<Population>(settings);  // which has the table of tilts
     const AngleQuantile& zenith = population->orientationQuantile().zenith;
     axis.tilt = [population, &zenith](double u) { return zenith.at(u); };
@@ -183,7 +194,7 @@ class Sky {
     const bool isDark = axis.wanted && axis.wanted->isNothing();
     accuracy.error = isDark ? 1.0 : error_;
     accuracy.seed = scene_.trace.seed;
-    accuracy.folds = camera_.isMirrorSymmetric() && sun_.toCentre().y == 0.0;
+    accuracy.folds = camera_.isMirrorSymmetric() && sun_.toCentre().y == 0.0 && axis.isMirrored;
     accuracy.hasEdge = !isPanorama(camera_.settings().projection) && camera_.seam() == 0.0;
     accuracy.widest = widestOf(camera_);
     return accuracy;
@@ -260,11 +271,15 @@ std::string objectionToIntegratedSky(const Scene& scene) {
 }
 
 std::uint64_t memoryOfOrientations(const Scene& scene, double error) {
-  const auto isTilted = [](const PopulationSettings& one) {
-    return !std::holds_alternative<RandomOrientation>(one.orientation);
-  };
-  if (std::ranges::none_of(scene.populations, isTilted)) return 0;
-  return memoryForTilts(Camera(scene.camera), 0.5 * Sun(scene.sun).diameter(), error);
+  const double radius = 0.5 * Sun(scene.sun).diameter();
+  std::uint64_t most = 0;
+  for (const PopulationSettings& one : scene.populations) {
+    if (std::holds_alternative<RandomOrientation>(one.orientation)) continue;
+    const bool isAtRest = standingOf(one.orientation).has_value();
+    most = std::max(most,
+                    isAtRest ? memoryForAzimuths(radius, error) : memoryForTilts(Camera(scene.camera), radius, error));
+  }
+  return most;
 }
 
 IntegratedSky integrateSky(const LoadedScene& loaded, double error, LightStore* store, Counted counted) {

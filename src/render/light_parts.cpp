@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "crystal/orientation.h"
 #include "render/prism_populations.h"
 #include "render/traced_sky.h"
 #include "trace/path_plan.h"
@@ -63,7 +64,9 @@ std::vector<PopulationPlan> plansOf(const Scene& scene) {
       own.parts = {{static_cast<std::size_t>(first - paths.layers.begin()), std::nullopt}};
     } else if (own.objection.empty()) {
       own.parts = partsByPath(*cloud, *plan, static_cast<int>(k));
-      if (std::ranges::any_of(own.parts, [](const auto& p) { return p.wanted && !p.wanted->areAlikeAboutC(); })) {
+      const bool hasRolls = !standingOf(population.orientation);
+      if (hasRolls &&
+          std::ranges::any_of(own.parts, [](const auto& p) { return p.wanted && !p.wanted->areAlikeAboutC(); })) {
         own.objection = "has raypaths told apart by side faces that are alike, as by symmetry = none";
         own.parts.clear();
       }

@@ -124,10 +124,11 @@ std::string objectionTo(const PopulationSettings& population, bool inProfile) {
   if (!std::holds_alternative<PrismSettings>(population.shape)) return "has crystals that are no prisms";
   if (std::holds_alternative<RandomOrientation>(population.orientation)) return {};
   if (inProfile) return "is not randomly oriented, and has another profile for each place of the sun";
+  if (standingOf(population.orientation)) return {};
   const auto* axis = std::get_if<AxisOrientation>(&population.orientation);
-  if (!axis) return "turns about an axis across c";
+  if (!axis) return "turns about an axis across c, by more than one angle";
   if (!isFree(axis->azimuth, kTurn)) return "does not face all azimuths alike";
-  if (!isFree(axis->roll, kSixth)) return "does not have all rolls alike";
+  if (!isFree(axis->roll, kSixth)) return "has neither all rolls alike nor one tilt and one roll";
   return {};
 }
 

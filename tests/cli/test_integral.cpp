@@ -106,37 +106,39 @@ TEST_CASE("what cannot be integrated is one clear error, and writes nothing") {
   struct Case {
     std::string command, complaint;
   };
-  for (const Case& c :
-       std::vector<Case>{{"trace s.toml --engine integral -o o.exr", "it makes pictures"},
-                         {"map s.toml --engine integral -D population.short.orientation=lowitz -o o.csv", "short"},
-                         {"map s.toml --engine integral --rays 1M -o o.csv", "--rays"},
-                         {"map s.toml --engine mixed --tally t.exr -o o.csv", "--tally"},
-                         {"map s.toml --engine integral --step 0.01 -o o.csv", "--step"},
-                         {"map s.toml --error 1% --rays 1k -o o.csv", "--error"},
-                         {"paths s.toml --engine integral -D population.short.orientation=lowitz --csv o.csv", "short"},
-                         {"paths s.toml --engine integral --ray-for 22,0 --csv o.csv", "--ray-for"},
-                         {"paths s.toml --engine integral --rays 1M --csv o.csv", "--rays"},
-                         {"paths s.toml --engine mixed --csv o.csv", "it makes pictures"},
-                         {"paths s.toml --error 1% --rays 1k --csv o.csv", "--error"},
-                         {"render s.toml --engine integral -D population.short.orientation=lowitz -o o.exr", "short"},
-                         {"render s.toml --engine integral -D population.short.orientation=parry -o o.exr", "rolls"},
-                         {"render s.toml --engine integral --paths '3-5, symmetry = none' -o o.exr", "symmetry"},
-                         {"render s.toml --engine integral --rays 1M -o o.exr", "--rays"},
-                         {"render s.toml --engine integral --symmetry mirror -o o.exr", "--symmetry"},
-                         {"render s.toml --engine integral --slice 1/2 -o o.exr", "--slice"},
-                         {"render s.toml --engine mixed --resume t.exr -o o.exr", "--resume"},
-                         {"trace s.toml --engine mixed -o o.exr", "it makes pictures"},
-                         {"profile s.toml --engine mixed -o o.csv", "it makes pictures"},
-                         {"sweep s.toml sun.elevation=10,20 --error 5% -o f_%d.exr", "--error"},
-                         {"sweep s.toml sun.elevation=10,20 --engine integral -D population.short.orientation=parry -o "
-                          "f_%d.exr",
-                          "rolls"},
-                         {"profile s.toml --engine integral -D population.short.orientation=plate -o o.csv", "short"},
-                         {"profile s.toml --engine integral -D population.short.shape=pyramid -o o.csv", "short"},
-                         {"profile s.toml --engine integral --rays 1M -o o.csv", "--rays"},
-                         {"profile s.toml --engine integral --time 5s -o o.csv", "--time"},
-                         {"profile s.toml --engine integral --tally t.exr -o o.csv", "--tally"},
-                         {"profile s.toml --error 1% --rays 1k -o o.csv", "--error"}}) {
+  for (const Case& c : std::vector<Case>{
+           {"trace s.toml --engine integral -o o.exr", "it makes pictures"},
+           {"map s.toml --engine integral -D population.short.orientation=lowitz -o o.csv", "short"},
+           {"map s.toml --engine integral --rays 1M -o o.csv", "--rays"},
+           {"map s.toml --engine mixed --tally t.exr -o o.csv", "--tally"},
+           {"map s.toml --engine integral --step 0.01 -o o.csv", "--step"},
+           {"map s.toml --error 1% --rays 1k -o o.csv", "--error"},
+           {"paths s.toml --engine integral -D population.short.orientation=lowitz --csv o.csv", "short"},
+           {"paths s.toml --engine integral --ray-for 22,0 --csv o.csv", "--ray-for"},
+           {"paths s.toml --engine integral --rays 1M --csv o.csv", "--rays"},
+           {"paths s.toml --engine mixed --csv o.csv", "it makes pictures"},
+           {"paths s.toml --error 1% --rays 1k --csv o.csv", "--error"},
+           {"render s.toml --engine integral -D population.short.orientation=lowitz -o o.exr", "short"},
+           {"render s.toml --engine integral -D population.short.orientation=parry -D population.short.roll=1 -o o.exr",
+            "rolls"},
+           {"render s.toml --engine integral --paths '3-5, symmetry = none' -o o.exr", "symmetry"},
+           {"render s.toml --engine integral --rays 1M -o o.exr", "--rays"},
+           {"render s.toml --engine integral --symmetry mirror -o o.exr", "--symmetry"},
+           {"render s.toml --engine integral --slice 1/2 -o o.exr", "--slice"},
+           {"render s.toml --engine mixed --resume t.exr -o o.exr", "--resume"},
+           {"trace s.toml --engine mixed -o o.exr", "it makes pictures"},
+           {"profile s.toml --engine mixed -o o.csv", "it makes pictures"},
+           {"sweep s.toml sun.elevation=10,20 --error 5% -o f_%d.exr", "--error"},
+           {"sweep s.toml sun.elevation=10,20 --engine integral -D population.short.orientation=parry "
+            "-D population.short.roll=1 -o "
+            "f_%d.exr",
+            "rolls"},
+           {"profile s.toml --engine integral -D population.short.orientation=plate -o o.csv", "short"},
+           {"profile s.toml --engine integral -D population.short.shape=pyramid -o o.csv", "short"},
+           {"profile s.toml --engine integral --rays 1M -o o.csv", "--rays"},
+           {"profile s.toml --engine integral --time 5s -o o.csv", "--time"},
+           {"profile s.toml --engine integral --tally t.exr -o o.csv", "--tally"},
+           {"profile s.toml --error 1% --rays 1k -o o.csv", "--error"}}) {
     const Outcome outcome = run(folder, "parhelion " + c.command);
     CAPTURE(c.command);
     CHECK(outcome.exit == 2);

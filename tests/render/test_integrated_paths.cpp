@@ -96,6 +96,13 @@ TEST_CASE("rays agree with integrated skies of columns whose light took some ray
   checkFilters(sun(45.0, "0.0") + kAtRest, {"3-5", "1-3|3-1-5"}, 5);
 }
 
+TEST_CASE("rays agree with integrated skies of Parry columns whose light took some raypaths") {
+  const std::string still = "[[population]]\nname = \"still\"\naspect = 1.2\norientation = \"parry\"\n";
+  checkFilters(sun(25.3, "0.0") + still, {"Parry arc", "not 6-3"}, 5);
+  // Of a crystal whose rolls are not all alike, one side by itself.
+  checkFilters(sun(25.3) + still, {"6-4, symmetry = none"}, 5);
+}
+
 TEST_CASE("rays agree with integrated skies of random crystals whose light took some raypaths") {
   checkFilters(sun(10.0) + kRandom, {"3-5", "1-3", "1-2-1", "*-basal-*"}, 20);
 }

@@ -49,6 +49,24 @@ std::string drawnScene(std::mt19937_64& random) {
   return scene;
 }
 
+/// Crystals that stand alike but for their azimuths, drawn at random: every other one a Parry column.
+std::string standingScene(std::mt19937_64& random, int number) {
+  const auto between = [&](double a, double b) { return a + (b - a) * static_cast<double>(random() >> 11) * 0x1p-53; };
+  const double aspect = std::exp(between(std::log(0.3), std::log(4.0))), sun = between(2.0, 75.0);
+  const char* const spectra[] = {"550.0", "\"sun\"", "[500.0, 650.0]"};
+  const char* const discs[] = {"0.0", "0.533", "2.0"};
+  const char *const spectrum = spectra[number % 3], *const disc = discs[(number + number / 3) % 3];
+  char stands[100] = "\"parry\"";
+  if (number % 2 == 1)
+    std::snprintf(stands, sizeof stands, "{ zenith = %.3f, roll = %.3f }", between(0.0, 180.0), between(0.0, 360.0));
+  char text[600];
+  std::snprintf(text, sizeof text,
+                "[sun]\nelevation = %.3f\ndiameter = %s\nspectrum = %s\nvisible = false\n[[population]]\n"
+                "shape = \"prism\"\naspect = %.4f\norientation = %s\n",
+                sun, disc, spectrum, aspect, stands);
+  return text;
+}
+
 struct Agreement {
   int bins = 0, beyond = 0;  // those with light, and those that differ by more than 4.5 sigma
 };
@@ -106,6 +124,38 @@ TEST_CASE("rays agree with integrated skies of prisms drawn at random: third ten
 TEST_CASE("rays agree with integrated skies of prisms drawn at random: fourth ten") { holdAgainstRays(30); }
 TEST_CASE("rays agree with integrated skies of prisms drawn at random: fifth ten") { holdAgainstRays(40); }
 
+TEST_CASE("rays agree with integrated skies of Parry columns and others of one tilt and roll, drawn at random") {
+  // Each spectrum comes with each disc.
+  std::mt19937_64 random(20261129);
+  for (int k = 0; k < 9; ++k) {
+    const std::string scene = standingScene(random, k);
+    CAPTURE(scene);
+    const Agreement agreement = compare(scene, 0.1);
+    CHECK(agreement.bins > 20);
+    CHECK(agreement.beyond == 0);
+  }
+}
+
+TEST_CASE("plates of one roll at rest are plates of all rolls: their azimuths are free") {
+  const std::string sun = "[sun]\nelevation = 31.0\ndiameter = 0.0\nspectrum = 550.0\n";
+  const auto plates = [&](const std::string& orientation) {
+    return integrateSky(
+        parseScene(sun + "[[population]]\naspect = 0.4\norientation = " + orientation + "\n" + kBins, "p.toml"), 0.01);
+  };
+  const IntegratedSky one = plates("{ zenith = 0.0, roll = 10.0 }"), all = plates("\"plate\"");
+  const std::vector<double> a = luminanceOf(one.image), b = luminanceOf(all.image);
+  CHECK(one.info.undeviatedFraction() == doctest::Approx(all.info.undeviatedFraction()).epsilon(1e-4));
+  // Light above and below the sun is on the border between the middle pixels: left and right are taken together.
+  double apart = 0.0, light = 0.0;
+  for (std::size_t y = 0; y < 36; ++y)
+    for (std::size_t x = 0; x < 36; ++x) {
+      const std::size_t left = 72 * y + x, right = 72 * y + 71 - x;
+      apart += std::abs(a[left] + a[right] - b[left] - b[right]);
+      light += b[left] + b[right];
+    }
+  CHECK(apart < 0.02 * light);
+}
+
 namespace {
 
 const std::string kColumns =
@@ -117,19 +167,29 @@ const std::string kPlates =
 const std::string kTiltedColumns =
     "[sun]\nelevation = 12.0\nspectrum = 550.0\n[[population]]\n"
     "aspect = 2.0\norientation = \"column\"\ntilt = 0.5\n";
+const std::string kParry =
+    "[sun]\nelevation = 21.3\ndiameter = 0.0\nspectrum = 550.0\n[[population]]\n"
+    "aspect = 2.0\norientation = \"parry\"\n";
+const std::string kParryAndDisc =
+    "[sun]\nelevation = 38.0\nspectrum = 550.0\n[[population]]\n"
+    "aspect = 1.0\norientation = \"parry\"\n";
+const std::string kParryInColours =
+    "[sun]\nelevation = 9.0\ndiameter = 0.0\n[[population]]\n"
+    "aspect = 0.7\norientation = \"parry\"\n";
 const std::string kFisheye = "[camera]\nprojection = \"fisheye-equal-area\"\nresolution = [96, 96]\n";
 
 IntegratedSky skyOf(const std::string& scene, double error) { return integrateSky(parseScene(scene, "s.toml"), error); }
 
 /// Shares of the pixels in which two pictures differ by at most 1, 2 and 3 of the first one's stated errors.
 std::array<double, 3> within(const Image& a, const Image& b) {
-  const auto &la = *a.find("G"), &lb = *b.find("G"), &variance = *a.find(kVarianceChannel);
+  const std::vector<double> la = luminanceOf(a), lb = luminanceOf(b);
+  const auto& variance = *a.find(kVarianceChannel);
   std::array<double, 3> counts{};
   double pixels = 0.0;
   for (std::size_t i = 0; i < la.size(); ++i) {
-    if (la[i] <= 0.0F && lb[i] <= 0.0F) continue;
+    if (la[i] <= 0.0 && lb[i] <= 0.0) continue;
     pixels += 1.0;
-    const double apart = std::abs(static_cast<double>(la[i]) - static_cast<double>(lb[i]));
+    const double apart = std::abs(la[i] - lb[i]);
     for (std::size_t k = 0; k < 3; ++k)
       counts[k] += apart <= static_cast<double>(k + 1) * std::sqrt(static_cast<double>(variance[i]));
   }
@@ -149,11 +209,23 @@ TEST_CASE("the errors that integrated skies state are those that they have again
   }
 }
 
+TEST_CASE("the errors that integrated skies of crystals of one tilt and roll state are those that they have") {
+  // The first mesh against one that is three times as fine, at least.
+  for (const auto& [scene, fine] : {std::pair{kParry, 0.0012}, {kParryAndDisc, 0.008}, {kParryInColours, 0.006}}) {
+    CAPTURE(scene);
+    const auto shares = within(skyOf(scene + kFisheye, 0.1).image, skyOf(scene + kFisheye, fine).image);
+    CHECK(shares[0] >= 0.6);
+    CHECK(shares[1] >= 0.9);
+    CHECK(shares[2] >= 0.98);
+  }
+}
+
 TEST_CASE("an integrated sky is the same to the bit for any number of threads") {
   const std::string display =
       "[sun]\nspectrum = [500.0, 600.0]\n[[population]]\nname = \"a\"\naspect = 0.3\n"
       "orientation = \"plate\"\ntilt = 1.0\n[[population]]\nname = \"b\"\naspect = 1.0\n"
-      "orientation = \"random\"\n[camera]\nresolution = [40, 40]\n";
+      "orientation = \"random\"\n[[population]]\nname = \"c\"\naspect = 1.0\norientation = \"parry\"\n"
+      "[camera]\nresolution = [40, 40]\n";
   const Image one = withThreads(1, [&] { return skyOf(display, 0.3).image; }),
               three = withThreads(3, [&] { return skyOf(display, 0.3).image; });
   REQUIRE(one.channels.size() == three.channels.size());
@@ -204,15 +276,57 @@ TEST_CASE("populations as layers add up to an integrated sky") {
 }
 
 TEST_CASE("light that rays find from an integrated sky's ledger") {
-  // What goes straight on, and all light: of plates at rest under a high sun.
-  const LoadedScene loaded = parseScene(kPlates + kBins + "[trace]\nrays = \"300k\"\n", "p.toml");
-  const IntegratedSky sky = integrateSky(loaded, 0.1);
-  const TallyInfo traced = traceSky(loaded, cloudByLight(loaded.scene)).tally.info();
-  CHECK(sky.info.undeviatedFraction() == doctest::Approx(traced.undeviatedFraction()).epsilon(0.01));
-  CHECK(sky.cutOff < 1e-6);
-  const std::vector<double> solidAngles = Camera(loaded.scene.camera).solidAngles();
-  const auto& light = *sky.image.find("G");
-  double sum = sky.info.undeviatedFraction() + sky.cutOff;
-  for (std::size_t i = 0; i < light.size(); ++i) sum += solidAngles[i] * static_cast<double>(light[i]);
-  CHECK(sum == doctest::Approx(1.0).epsilon(2e-3));
+  // What goes straight on, and all light: of plates under a high sun, and of Parry columns.
+  for (const std::string& scene : {kPlates, kParry, kParryAndDisc}) {
+    CAPTURE(scene);
+    const LoadedScene loaded = parseScene(scene + kBins + "[trace]\nrays = \"300k\"\n", "p.toml");
+    const IntegratedSky sky = integrateSky(loaded, 0.1);
+    const TallyInfo traced = traceSky(loaded, cloudByLight(loaded.scene)).tally.info();
+    CHECK(sky.info.undeviatedFraction() == doctest::Approx(traced.undeviatedFraction()).epsilon(0.01));
+    CHECK(sky.cutOff < 1e-6);
+    const std::vector<double> solidAngles = Camera(loaded.scene.camera).solidAngles();
+    const auto& light = *sky.image.find("G");
+    double sum = sky.info.undeviatedFraction() + sky.cutOff;
+    for (std::size_t i = 0; i < light.size(); ++i) sum += solidAngles[i] * static_cast<double>(light[i]);
+    CHECK(sum == doctest::Approx(1.0).epsilon(2e-3));
+  }
+}
+
+TEST_CASE("the upper suncave Parry arc is highest where closed forms have it") {
+  // Straight above a point sun at h: 30 + asin(n sin(60 - asin(cos h / n))) degrees.
+  constexpr double kIndex = 1.31;
+  for (const double sun : {1.0, 20.0, 40.0}) {
+    CAPTURE(sun);
+    const double inside = radians(60.0) - std::asin(std::cos(radians(sun)) / kIndex);
+    const double expected = 30.0 + degrees(std::asin(kIndex * std::sin(inside)));
+    char text[600];
+    std::snprintf(text, sizeof text,
+                  "[sun]\nelevation = %.3f\ndiameter = 0.0\nspectrum = 550.0\n[ice]\nindex = %.3f\n[[population]]\n"
+                  "aspect = 2.0\norientation = \"parry\"\n[camera]\nprojection = \"rectilinear\"\n"
+                  "fov_horizontal = 2.0\nresolution = [41, 41]\nelevation = %.3f\n",
+                  sun, kIndex, expected);
+    const LoadedScene loaded = parseScene(text, "arc.toml");
+    const IntegratedSky sky = integrateSky(loaded, 0.05);
+    const auto& light = *sky.image.find("G");
+    std::size_t brightest = 0;
+    for (std::size_t y = 0; y < 41; ++y)
+      if (light[y * 41 + 20] > light[brightest * 41 + 20]) brightest = y;
+    // Rows are 2 / 41 degrees high, the middle one at the closed form's place.
+    CHECK(std::abs(static_cast<double>(brightest) - 20.0) * 2.0 / 41.0 <= 0.1);
+    CHECK(light[brightest * 41 + 20] > 0.0F);
+  }
+}
+
+TEST_CASE("crystals of one tilt and one roll are integrated, those with a spread of either are not") {
+  const auto objection = [](const std::string& population) {
+    return objectionToIntegratedSky(parseScene("[[population]]\nname = \"p\"\n" + population, "p.toml").scene);
+  };
+  CHECK(objection("orientation = \"parry\"\n").empty());
+  CHECK(objection("orientation = { zenith = 40.0, roll = 7.0 }\n").empty());
+  CHECK(objection("orientation = { zenith = 40.0, roll = { normal = [7.0, 0.0] } }\n").empty());
+  for (const std::string spread : {"orientation = \"parry\"\ntilt = 0.5\n", "orientation = \"parry\"\nroll = 0.5\n",
+                                   "orientation = \"lowitz\"\n", "orientation = { zenith = 90.0, azimuth = 5.0 }\n"}) {
+    CAPTURE(spread);
+    CHECK(objection(spread).find("population p ") == 0);
+  }
 }

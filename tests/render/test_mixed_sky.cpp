@@ -67,4 +67,8 @@ TEST_CASE("only what cannot be integrated takes rays") {
   CHECK(raysOf(loaded.scene) == 50000);
   loaded.scene.populations[1].weight = 0.0;
   CHECK(raysOf(loaded.scene) == 0);
+  loaded.scene.populations[1].weight = 0.3;
+  loaded.scene.populations[1].orientation =
+      AxisOrientation{FixedValue{0.5 * kPi}, AxisOrientation{}.azimuth, FixedValue{}};
+  CHECK(raysOf(loaded.scene) == 0);
 }

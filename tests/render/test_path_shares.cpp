@@ -28,6 +28,8 @@ const std::string kPlates =
 const std::string kColumns =
     "[[population]]\nname = \"columns\"\naspect = { uniform = [1.0, 3.0] }\norientation = \"column\"\ntilt = 0.5\n";
 
+const std::string kParry = "[[population]]\nname = \"parry\"\naspect = 1.5\norientation = \"parry\"\n";
+
 LoadedScene sceneOf(const std::string& text, const std::string& trace = "", std::uint64_t seed = 3) {
   return parseScene(kSun + text + "[trace]\nrays = \"3M\"\nseed = " + std::to_string(seed) + "\n" + trace,
                     "paths.toml");
@@ -82,7 +84,7 @@ double sumOf(const Entries& entries) {
 }  // namespace
 
 TEST_CASE("the strongest paths are as strong as rays find them") {
-  for (const std::string& scene : {kRandom, kPlates + kRandom, kColumns}) {
+  for (const std::string& scene : {kRandom, kPlates + kRandom, kColumns, kParry}) {
     CAPTURE(scene);
     const LoadedScene loaded = sceneOf(scene);
     const Shares integral = integrated(loaded, {}, 1e-3), rays = traced(loaded, {});
