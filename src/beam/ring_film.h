@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "beam/cosine_table.h"
+#include "beam/lattice_points.h"
 #include "beam/light_segments.h"
 #include "beam/triangle_cells.h"
 #include "math/aligned_vector.h"
@@ -103,6 +104,7 @@ class RingFilm {
   PARHELION_INLINE void addSpread(const RingCorner (&from)[4], const RingCorner (&to)[4], double share,
                                   const std::array<double, LightSegments::kColours>& at,
                                   const std::array<Floats, LightSegments::kColours>& colours, unsigned start) {
+    if (cells_ == kNoTurns) return addAlong(from, to, share, at, colours, start);
     double turn[2][4];
     double moved = 0.0;
     for (int k = 0; k < 4; ++k) {
@@ -173,10 +175,32 @@ class RingFilm {
   }
 
  private:
+  /// addSpread() where only rings matter.
+  PARHELION_INLINE void addAlong(const RingCorner (&from)[4], const RingCorner (&to)[4], double share,
+                                 const std::array<double, LightSegments::kColours>& at,
+                                 const std::array<Floats, LightSegments::kColours>& colours, unsigned start) {
+    SpreadLight light;
+    double least = from[0].place, most = from[0].place;
+    for (int k = 0; k < 4; ++k) {
+      light.from.place[k] = from[k].place;
+      light.from.density[k] = from[k].density;
+      light.to.place[k] = to[k].place;
+      light.to.density[k] = to[k].density;
+      least = std::min({least, from[k].place, to[k].place});
+      most = std::max({most, from[k].place, to[k].place});
+    }
+    LatticePoints points(light, 2.0 * share, 1 + static_cast<int>(kRingPoints * (most - least)), at, start);
+    while (const int count = points.next())
+      for (int k = 0; k < count; ++k) addPoint(0.0, points.place(k), points.light(k), colours[points.colourOf(k)]);
+  }
+
   // Cells beyond either end of the half ring, for triangles that reach over it.
   static constexpr int kBeyond = 32;
   // Points to a cell's side, of faint light and of light between two indices, and at most along a side.
   static constexpr double kFaintPoints = 1.2, kSpreadPoints = 2.5, kMostPoints = 64.0;
+  // Cells of rings that are not told apart along them, and points to such a ring.
+  static constexpr int kNoTurns = 2;
+  static constexpr double kRingPoints = 4.0;
 
   /// A turn, or whole turns from it, that is less than half of one from another.
   PARHELION_INLINE double nearest(double turn, double other) const {

@@ -6,18 +6,22 @@
 #include <numeric>
 
 #include "beam/band_light.h"
+#include "beam/mesh_levels.h"
 #include "math/portable.h"
 
 namespace parhelion {
 
 namespace {
 
-// The first mesh: bands, cells for 30 degrees of azimuth, parts of continuous light. Each next has more by this.
-constexpr int kBands = 240, kColumns = 40, kLights = 6, kMostLevel = 3;
+// The coarsest mesh: bands, cells for 30 degrees of azimuth, parts of continuous light. Each next has more by this.
+constexpr int kBands = 70, kColumns = 12, kLights = 2;
 constexpr double kFiner = 1.5;
+constexpr MeshLevels kLevels{0.026, 1.8, 6};
 // What the coarse mesh differs by, times this, is the error: on average over so many rings on each side, which together
 // are about as wide as a pixel.
 constexpr double kOfCoarse = 0.35;
+// And what they differ by on average, relative, times this.
+constexpr double kOfMean = 1.0;
 constexpr int kNear = 2;
 // Even light in a band is corrected to second order.
 constexpr double kOfBand = 1.0 / 12.0;
@@ -29,10 +33,13 @@ class RingIntegration {
       : scene_(scene), accuracy_(accuracy), rings_(rings) {}
 
   RingIntegral run() {
-    for (level_ = 0;; ++level_) {
+    for (level_ = kLevels.firstFor(accuracy_.error);; ++level_) {
       integrate();
+      const double own = error();
+      for (std::size_t ring = 0; ring < result_.error.size(); ++ring)
+        result_.error[ring] = std::hypot(result_.error[ring], kOfMean * own * result_.light[ring][1]);
       result_.reached = error() <= accuracy_.error;
-      if (result_.reached || level_ == kMostLevel) break;
+      if (result_.reached || level_ == kLevels.most) break;
     }
     return std::move(result_);
   }

@@ -8,6 +8,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "beam/mesh_levels.h"
 #include "beam/tilt_sky.h"
 #include "math/portable.h"
 #include "parallel/loops.h"
@@ -18,15 +19,14 @@ namespace {
 
 // The first mesh: cells for 30 degrees of azimuth that light is traced at, parts of continuous light, rows of the sun's
 // disc. Cells over what the picture and the sun blur; their bounds, rad.
-constexpr int kColumns = 40, kLights = 4, kFewestSunRows = 3, kMostLevel = 3;
+constexpr int kColumns = 40, kLights = 4, kFewestSunRows = 3;
 constexpr double kSunRows = 1.5;  // to a disc's radius in cells
 constexpr double kOfBlur = 0.7, kOfDisc = 0.6, kFinest = 0.0012, kCoarsest = 0.0045;
 // Thickness of bands over half of what tilts are spread by; at most over cells, and in rad.
 constexpr double kOfSpread = 0.5, kThickest = 2.2, kThickestBand = 0.0055;
-// What the first mesh errs by, more or less, and by how much less each of the next.
-constexpr double kFirstError = 0.03, kBetter = 1.8;
 // Each mesh has cells smaller than the last one by this.
 constexpr double kFiner = 1.5;
+constexpr MeshLevels kLevels{0.03, 1.8, 3};
 // What the coarse mesh differs by, times this, is a pixel's own part of the error. Where both meshes err alike that
 // says nothing, so the mean of all pixels, relative, is added, times a second factor.
 constexpr double kOfCoarse = 0.35, kOfMean = 0.75;
@@ -50,11 +50,6 @@ double cellOf(double blur, int level) {
   return std::max(std::min(kOfBlur * blur, kCoarsest) / std::pow(kFiner, level), kFinest);
 }
 
-int firstLevelFor(double error) {
-  return static_cast<int>(
-      std::clamp(std::ceil(std::log(kFirstError / error) / std::log(kBetter)), 0.0, double{kMostLevel}));
-}
-
 int sunRowsOf(double radius, int cells) {
   return std::max(kFewestSunRows, static_cast<int>(std::ceil(kSunRows * radius * cells / kPi)));
 }
@@ -65,11 +60,11 @@ class TiltIntegration {
       : scene_(scene), accuracy_(accuracy), camera_(camera), store_(scene.wanted ? own_ : store), directions_(camera) {}
 
   SkyIntegral run() {
-    for (level_ = firstLevelFor(accuracy_.error);; ++level_) {
+    for (level_ = kLevels.firstFor(accuracy_.error);; ++level_) {
       integrate();
       judge();
       result_.reached = result_.error <= accuracy_.error;
-      if (result_.reached || level_ == kMostLevel || cell() <= kFinest) break;
+      if (result_.reached || level_ == kLevels.most || cell() <= kFinest) break;
     }
     return std::move(result_);
   }
@@ -219,7 +214,7 @@ bool isForTilts(const AxisScene& scene, const Camera& camera) {
 }
 
 std::uint64_t memoryForTilts(const Camera& camera, double sunRadius, double error) {
-  const int level = std::min(firstLevelFor(error) + 1, kMostLevel);
+  const int level = std::min(kLevels.firstFor(error) + 1, kLevels.most);
   const double cells = kPi / cellOf(blurOf(camera, sunRadius), level), square = cells * cells,
                rows = sunRadius > 0.0 ? sunRowsOf(sunRadius, static_cast<int>(cells)) : 1;
   // Four floats for each cell of rings: of pieces of work, of each elevation of the sun twice; for each order, of bands
