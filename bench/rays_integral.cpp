@@ -95,7 +95,7 @@ void measureIntegral(const RaysPlan& plan) {
       TraceControl control;
       control.threads = 1;
       const Stopwatch watch;
-      const MixedSky sky = mixSky(loaded, error, control);
+      const MixedSky sky = mixSky(loaded, {error}, control);
       const double seconds = watch.read().cpuSeconds;
       const Comparison off = compare(sky.sky.image, truth);
       csv.row(display.id, sky.traced.empty() ? "integral" : "mixed", sky.sky.info.rayCount(), error, seconds,

@@ -12,16 +12,17 @@ namespace {
 
 using Four = Lanes<4>::Real;
 
-// Along one side points follow each other, along the other each is ahead by this.
-constexpr double kGoldenStep = 0.6180339887498949;
+// Along one side points follow each other, along the other each is ahead by this, of the whole side. The golden ratio
+// would be too near to 5/8, by which colours go.
+constexpr double kStepAcross = 0.41421356237309505;
 
 }  // namespace
 
 LatticePoints::LatticePoints(const SpreadLight& light, double share, int count, const std::array<double, kColours>& at,
                              unsigned start)
-    : turn_(kGoldenStep * start), perCount_(1.0 / count), count_(count), start_(start) {
+    : turn_(kStepAcross * start), perCount_(1.0 / count), count_(count), start_(start) {
   // Values at the corners: value + s along + t across + s t both.
-  const auto set = [&](int row, const double (&a)[4], const double (&b)[4], double factor) {
+  const auto set = [&](int row, const double(&a)[4], const double(&b)[4], double factor) {
     for (int k = 0; k < kColours; ++k) {
       const double u = at[colourOf(k)];
       double corner[4];
@@ -48,7 +49,7 @@ PARHELION_ALSO_AVX2 void LatticePoints::fill(int count) {
     const int lane = k % kColours;
     Four s, t;
     for (int n = 0; n < 4; ++n) s[n] = done_ + k + n;
-    t = turn_ + kGoldenStep * s;
+    t = turn_ + kStepAcross * s;
     t -= wholePart(t);
     s = perCount_ * (s + 0.5);
     const auto value = [&](int row) {

@@ -16,12 +16,12 @@ namespace {
 // The coarsest mesh: bands, cells for 30 degrees of azimuth, parts of continuous light. Each next has more by this.
 constexpr int kBands = 70, kColumns = 12, kLights = 2;
 constexpr double kFiner = 1.5;
-constexpr MeshLevels kLevels{0.026, 1.8, 6};
+constexpr MeshLevels kLevels{0.03, 1.8, 6};
 // What the coarse mesh differs by, times this, is the error: on average over so many rings on each side, which together
 // are about as wide as a pixel.
 constexpr double kOfCoarse = 0.35;
 // And what they differ by on average, relative, times this.
-constexpr double kOfMean = 1.0;
+constexpr double kOfMean = 2.0;
 constexpr int kNear = 2;
 // Even light in a band is corrected to second order.
 constexpr double kOfBand = 1.0 / 12.0;

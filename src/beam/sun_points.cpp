@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "beam/sun_frame.h"
+#include "math/gauss_legendre.h"
 #include "math/portable.h"
 
 namespace parhelion {
@@ -14,30 +15,6 @@ namespace {
 
 // Points of suns higher than this (radii of the disc from the zenith) do not go by rows.
 constexpr double kNearZenith = 6.0;
-
-struct Node {
-  double at, weight;
-};
-
-/// Gauss's quadrature over [-1, 1].
-std::vector<Node> legendre(int count) {
-  std::vector<Node> nodes;
-  for (int k = 0; k < count; ++k) {
-    double x = portable::cos(kPi * (k + 0.75) / (count + 0.5)), slope = 1.0;
-    for (int round = 0; round < 20; ++round) {
-      double before = 1.0, value = x;
-      for (int n = 2; n <= count; ++n) {
-        const double next = ((2.0 * n - 1.0) * x * value - (n - 1.0) * before) / n;
-        before = value;
-        value = next;
-      }
-      slope = count * (x * value - before) / (x * x - 1.0);
-      x -= value / slope;
-    }
-    nodes.push_back({x, 2.0 / ((1.0 - x * x) * slope * slope)});
-  }
-  return nodes;
-}
 
 }  // namespace
 
@@ -53,7 +30,7 @@ std::vector<SunRow> sunRows(const SunFace& sun, int count) {
     // kind.
     const auto [sine, y] = portable::sincos(kPi * k / (count + 1));
     SunRow row;
-    for (const auto& [x, part] : legendre(count)) {
+    for (const auto& [x, part] : gaussLegendre(count)) {
       const double across = x * sine * sun.radius, up = y * sun.radius, off = std::hypot(across, up);
       const double weight = sine * sine * part * sun.brightness(std::min(off, sun.radius * (1.0 - 1e-9)));
       all += weight;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/integral_run.h"
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <string_view>
@@ -29,6 +30,11 @@ std::string listOf(const std::vector<std::string>& names) {
   return list;
 }
 
+bool isGiven(const CLI::App& command, const char* option) {
+  const CLI::Option* known = command.get_option_no_throw(option);
+  return known && known->count() > 0;
+}
+
 }  // namespace
 
 bool isIntegrated(const Scene& scene) {
@@ -45,11 +51,15 @@ void requireIntegrable(const Scene& scene) {
 
 double integralGoal(const std::string& error) { return error.empty() ? kGoal : errorGoalIn(error); }
 
+bool asksForErrorAlone(const CLI::App& command) {
+  const auto given = [&](const char* option) { return isGiven(command, option); };
+  return given("--error") && std::ranges::none_of(kOfRays, given) && std::ranges::none_of(kOfLongRuns, given);
+}
+
 void refuseRayOptions(const CLI::App& command, RayOptions taken) {
   const bool someRays = taken == RayOptions::someRays;
   const auto refuse = [&](const char* option, const char* why) {
-    const CLI::Option* known = command.get_option_no_throw(option);
-    if (known && known->count() > 0) throw Unfit(option + std::string(": ") + why);
+    if (isGiven(command, option)) throw Unfit(option + std::string(": ") + why);
   };
   for (const char* option : kOfLongRuns)
     refuse(option, someRays ? "the engine mixed keeps no rays" : "the integral engine follows no rays");

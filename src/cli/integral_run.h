@@ -22,6 +22,9 @@ void requireIntegrable(const Scene& scene);
 /// The error that a picture is integrated to: as --error has it, or 2 %.
 double integralGoal(const std::string& error);
 
+/// Whether a command may choose what makes its light: an error is asked for, and nothing about rays.
+bool asksForErrorAlone(const CLI::App& command);
+
 /// Which options of rays mean something to a run: none; the seed, of its own points; all but those about how rays are
 /// kept and continued.
 enum class RayOptions { none, seed, someRays };

@@ -93,9 +93,10 @@ int runSmooth(const MapOptions& options, const CLI::App& command, int binsPerHal
 }
 
 int runMap(const MapOptions& options, const CLI::App& command, int binsPerHalfTurn, Tracers& tracers) {
-  const LoadedScene loaded = options.run.load();
+  LoadedScene loaded = options.run.load();
+  if (asksForErrorAlone(command)) loaded.scene.trace.engine = integratingEngine(loaded.scene);
   if (isIntegrated(loaded.scene)) return runSmooth(options, command, binsPerHalfTurn, loaded);
-  if (!options.error.empty()) throw Unfit("--error: it is for --engine integral and mixed; rays take --rays or --time");
+  if (!options.error.empty()) throw Unfit("--error: it is for light that is integrated; rays take --rays or --time");
   const Cloud cloud = cloudByLight(loaded.scene);
   const TraceSettings settings = settingsOfMeasurement(cloud, loaded.scene.trace);
   const RayRange wanted = options.longRun.wanted(settings.rays, cloud.bundleSize(), options.run);
@@ -142,9 +143,10 @@ void addMap(CLI::App& app, int& exit, Tracers& tracers) {
       ->transform(number(0.01, 90.0));
   command->add_option("-o,--output", options->output, "CSV file, or EXR by its name; - for CSV on stdout")
       ->type_name("FILE");
-  addErrorGoal(*command, options->error,
-               "With --engine integral or mixed: the error to aim at, of all bins together over their light; 2% when "
-               "left out");
+  addErrorGoal(
+      *command, options->error,
+      "Integrate what can be, as --engine mixed does, and aim at this error, of all bins together over their light; "
+      "engines that integrate take 2% when it is left out");
   options->run.mayIntegrate = true;
   command->callback([options, command, &exit, &tracers] {
     if (isMeasuredTally(options->run.scene)) {

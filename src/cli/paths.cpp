@@ -204,7 +204,7 @@ void writeSmoothMap(const PathsOptions& options, const LoadedScene& loaded, cons
   requireIntegrable(layered.scene);
   requireMemory("the map of paths",
                 memoryToIntegrate(skySizeOf(layered.scene)) + memoryOfOrientations(layered.scene, kPictureError));
-  const MixedSky made = mixSky(layered, kPictureError, traceControl(options.run, nullptr));
+  const MixedSky made = mixSky(layered, {kPictureError}, traceControl(options.run, nullptr));
   if (!options.run.quiet) reportSmooth(made);
   writeLayered(options, layered, made.sky.image, outputs);
 }
@@ -262,11 +262,13 @@ int runIntegral(const PathsOptions& options, const CLI::App& command, const Load
 }
 
 int runPaths(const PathsOptions& options, const CLI::App& command) {
-  const LoadedScene loaded = options.run.load();
+  LoadedScene loaded = options.run.load();
+  if (asksForErrorAlone(command) && loaded.scene.trace.engine == Engine::automatic)
+    loaded.scene.trace.engine = Engine::integral;
   if (loaded.scene.trace.engine == Engine::integral) return runIntegral(options, command, loaded);
   if (loaded.scene.trace.engine == Engine::mixed)
     throw Unfit("engine mixed: it makes pictures and maps; paths take rays, or the engine integral");
-  if (!options.error.empty()) throw Unfit("--error: it is for --engine integral; rays take --rays or --time");
+  if (!options.error.empty()) throw Unfit("--error: it is for light that is integrated; rays take --rays or --time");
   const Cloud cloud = cloudOf(loaded.scene);
   TraceSettings settings = chosenSettings(cloud, loaded.scene.trace);
   settings.symmetry = Symmetry::none;
@@ -334,8 +336,10 @@ void addPaths(CLI::App& app, int& exit) {
       ->type_name("AZ,EL")
       ->check(CLI::Validator(validDirection, ""))
       ->excludes(at);
-  addErrorGoal(*command, options->error,
-               "With --engine integral: the standard error of shares to aim at; 0.01% when left out");
+  addErrorGoal(
+      *command, options->error,
+      "Integrate, as --engine integral does, and aim at this standard error of shares; the engine takes 0.01% when "
+      "it is left out");
   options->run.mayIntegrate = true;
   command->callback([options, command, &exit] {
     if (command->count("--radius") > 0 && options->at.empty() && options->rayFor.empty())

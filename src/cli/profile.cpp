@@ -109,11 +109,13 @@ int runIntegral(const ProfileOptions& options, const CLI::App& command, const Sc
 }
 
 int runProfile(const ProfileOptions& options, const CLI::App& command, Tracers& tracers) {
-  const LoadedScene loaded = options.run.load();
+  LoadedScene loaded = options.run.load();
+  if (asksForErrorAlone(command) && loaded.scene.trace.engine == Engine::automatic)
+    loaded.scene.trace.engine = Engine::integral;
   if (loaded.scene.trace.engine == Engine::integral) return runIntegral(options, command, loaded.scene);
   if (loaded.scene.trace.engine == Engine::mixed)
     throw Unfit("engine mixed: it makes pictures and maps; profiles take rays, or the engine integral");
-  if (!options.error.empty()) throw Unfit("--error: it is for --engine integral; rays take --rays or --time");
+  if (!options.error.empty()) throw Unfit("--error: it is for light that is integrated; rays take --rays or --time");
   const Cloud cloud = cloudByLight(loaded.scene);
   const TraceSettings settings = settingsOfMeasurement(cloud, loaded.scene.trace);
   const RayRange wanted = options.longRun.wanted(settings.rays, cloud.bundleSize(), options.run);
@@ -166,8 +168,8 @@ void addProfile(CLI::App& app, int& exit, Tracers& tracers) {
   command->add_option("--summary", options->summary, "JSON file of g, delta fraction, energy by order, mean path ...")
       ->type_name("FILE");
   addErrorGoal(*command, options->error,
-               "With --engine integral: the relative error of bins to aim at, as the root of its mean square; 1% when "
-               "left out");
+               "Integrate, as --engine integral does, and aim at this relative error of bins, as the root of its mean "
+               "square; the engine takes 1% when it is left out");
   options->run.mayIntegrate = true;
   command->callback([options, command, &exit, &tracers] {
     if (isMeasuredTally(options->run.scene)) {

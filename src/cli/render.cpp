@@ -10,12 +10,12 @@
 #include "parallel/run_clock.h"
 #include "parallel/threads.h"
 #include "picture/memory_limit.h"
+#include "render/development.h"
 #include "render/integrated_sky.h"
 #include "render/mixed_sky.h"
 #include "render/needs.h"
 #include "render/sky_files.h"
 #include "render/sky_sums.h"
-#include "sky/picture_error.h"
 
 namespace parhelion::cli {
 
@@ -25,43 +25,6 @@ struct RenderOptions {
   RunOptions run;
   LongRunOptions longRun;
   PictureOptions picture;
-};
-
-/// The picture of a run's rays, which is made once also where its error is measured first.
-class Development {
- public:
-  Development(SkySums& sums, const LoadedScene& loaded, int threads)
-      : sums_(sums), loaded_(loaded), threads_(threads) {}
-
-  /// None if it was stopped.
-  std::optional<double> error(const std::atomic<bool>& stop) {
-    Watch watch;
-    watch.stop = &stop;
-    try {
-      develop(watch);
-    } catch (const ReconStopped&) {
-      return {};
-    }
-    return pictureError(sky_->image, sums_.tally().flattened());
-  }
-
-  ReconstructedSky take() {
-    if (!sky_ || rays_ != sums_.origin().rayCount()) develop({});
-    return std::move(*sky_);
-  }
-
- private:
-  void develop(const Watch& watch) {
-    sky_.reset();
-    sky_ = withThreads(threads_, [&] { return reconstruct(sums_.tally(), loaded_.scene.recon, {}, watch); });
-    rays_ = sums_.origin().rayCount();
-  }
-
-  SkySums& sums_;
-  const LoadedScene& loaded_;
-  int threads_;
-  std::optional<ReconstructedSky> sky_;
-  std::uint64_t rays_ = 0;  // that it was made of
 };
 
 /// Where a picture's tally goes; empty for a picture that goes nowhere.
@@ -91,7 +54,7 @@ int renderSmooth(const RenderOptions& options, const CLI::App& command, LoadedSc
   loaded.error = goal;
   const RunClock clock;
   const StopSignal stop;
-  MixedSky made = mixSky(loaded, goal, traceControl(options.run, &stop));
+  MixedSky made = mixSky(loaded, {goal, !options.longRun.error.empty()}, traceControl(options.run, &stop));
   if (made.report.interrupted) return kInterrupted;
   IntegratedSky& sky = made.sky;
   const double seconds = clock.seconds();
@@ -109,8 +72,10 @@ int renderSmooth(const RenderOptions& options, const CLI::App& command, LoadedSc
 }
 
 int runRender(const RenderOptions& options, const CLI::App& command, Tracers& tracers) {
-  const LoadedScene loaded = options.run.load();
-  if (isIntegrated(loaded.scene)) return renderSmooth(options, command, loaded);
+  LoadedScene loaded = options.run.load();
+  if (asksForErrorAlone(command) && tracers.processes() == 1)
+    loaded.scene.trace.engine = engineForPicture(loaded.scene, options.longRun.goal());
+  if (isIntegrated(loaded.scene)) return renderSmooth(options, command, std::move(loaded));
   const std::string& scene = options.run.scene;
   SkyFiles files = options.picture.files(scene);
   const Cloud cloud = cloudOf(loaded.scene);
@@ -131,7 +96,7 @@ int runRender(const RenderOptions& options, const CLI::App& command, Tracers& tr
   SkySums sums(loaded, cloud);
   Development picture(sums, loaded, options.run.threads);
   LongRun run({tracers, options.run, options.longRun, cloud, settings, wanted, checkpoint,
-               [&] { return picture.error(stop.requested()); }},
+               [&] { return picture.error(&stop.requested()); }},
               sums, stop);
   run.trace();
   run.report();

@@ -12,6 +12,7 @@
 #include "cli/trace_watch.h"
 #include "picture/memory_limit.h"
 #include "render/integrated_sky.h"
+#include "render/mixed_sky.h"
 #include "render/needs.h"
 #include "render/sky_files.h"
 #include "render/sweep.h"
@@ -99,7 +100,7 @@ void requireOutputsOf(const SweepOptions& options, const std::vector<SweepFrame>
     if (isIntegrated(scene))
       requireIntegrable(scene);
     else if (!options.error.empty())
-      throw Unfit("--error: it is for the engines integral and mixed; rays take trace.rays");
+      throw Unfit("--error: it is for light that is integrated; rays take trace.rays");
   }
   requireOutputs(files, options.run.overwrite);
 }
@@ -155,11 +156,12 @@ void reportWritten(const SweepOptions& options, const std::vector<SweepFrame>& f
   say("%s", text.c_str());
 }
 
-int runSweep(const SweepOptions& options) {
+int runSweep(const SweepOptions& options, const CLI::App& command) {
   const FrameNames names = frameNamesOf(options.output);
   const std::vector<std::vector<std::string>> values = valuesOf(options);
   const FrameLoader load = [&](const std::vector<std::string>& own) {
     LoadedScene loaded = options.run.load(own);
+    if (asksForErrorAlone(command)) loaded.scene.trace.engine = integratingEngine(loaded.scene);
     if (isIntegrated(loaded.scene)) loaded.error = integralGoal(options.error);
     return loaded;
   };
@@ -200,8 +202,10 @@ void addOptions(CLI::App& command, SweepOptions& options) {
                   "Exposure of all previews; the median of what the frames would choose when left out")
       ->type_name("STOPS")
       ->transform(number(-100.0, 100.0));
-  addErrorGoal(command, options.error,
-               "With --engine integral or mixed: the mean relative error of each frame to aim at; 2% when left out");
+  addErrorGoal(
+      command, options.error,
+      "Integrate what can be, as --engine mixed does, and aim at this mean relative error of each frame; engines that "
+      "integrate take 2% when it is left out");
   addGamut(command, options.gamut);
   command.add_option("--contact-sheet", options.contactSheet, "All frames small on one picture, with their values")
       ->type_name("FILE.png")
@@ -214,7 +218,7 @@ void addSweep(CLI::App& app, int& exit) {
   auto options = std::make_shared<SweepOptions>();
   CLI::App* command = app.add_subcommand("sweep", "Render a scene again and again while keys of it change");
   addOptions(*command, *options);
-  command->callback([options, &exit] { exit = runSweep(*options); });
+  command->callback([options, command, &exit] { exit = runSweep(*options, *command); });
 }
 
 }  // namespace parhelion::cli

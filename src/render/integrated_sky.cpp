@@ -26,8 +26,13 @@ namespace parhelion {
 
 namespace {
 
-// Crystals of spread aspect ratios are as many.
-constexpr int kPictureAspects = 8;
+// Crystals of spread aspect ratios are as many as bring their own error well below that of the picture: measured of
+// columns from 0.4 to 2.5, 3 of them err by 1 %, 4 by 0.6, 5 by 0.4, 6 by 0.2, 8 by 0.1.
+struct AspectsFor {
+  double error;  // of the picture, at least
+  int count;
+};
+constexpr AspectsFor kAspects[] = {{0.04, 3}, {0.015, 4}, {0.01, 5}, {0.005, 6}, {0.0, 8}};
 // Rings of randomly oriented crystals: so many to a pixel on the axis, within these bounds. Light of some raypaths ends
 // more sharply than all of it.
 constexpr double kRingsPerPixel = 4.0;
@@ -169,7 +174,8 @@ class Sky {
 
   AxisScene axisScene(const PopulationSettings& settings) const {
     AxisScene axis;
-    axis.prisms = prismsOf(settings, kPictureAspects);
+    const auto enough = std::ranges::find_if(kAspects, [&](const AspectsFor& a) { return error_ >= a.error; });
+    axis.prisms = prismsOf(settings, enough->count);
     axis.indices = indices_.nodes();
     axis.toSun = [&](double u1, double u2) {
       if (sun_.isPoint()) return sun_.toCentre();

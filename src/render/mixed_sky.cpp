@@ -4,16 +4,20 @@
 #include <algorithm>
 #include <cmath>
 
+#include <glm/geometric.hpp>
+
 #include "parallel/run_clock.h"
 #include "parallel/threads.h"
+#include "picture/colour_space.h"
 #include "picture/image.h"
+#include "render/development.h"
 #include "render/light_parts.h"
 #include "render/measurements.h"
-#include "render/sky_files.h"
-#include "render/traced_sky.h"
+#include "render/tracing_run.h"
 #include "sky/camera.h"
 #include "sky/radiance.h"
 #include "trace/sky_map.h"
+#include "trace/tracer.h"
 
 namespace parhelion {
 
@@ -84,6 +88,60 @@ void mix(Image& image, float a, const Image& other, float b) {
   }
 }
 
+/// Light of a picture's pixels together, each by its solid angle.
+double lightOf(const Image& image, const CameraSettings& camera) {
+  const std::vector<double> solidAngles = Camera(camera).solidAngles();
+  const auto rgb = image.rgb();
+  double light = 0.0;
+  for (std::size_t i = 0; i < solidAngles.size(); ++i) {
+    const double luminance = glm::dot(kRec709Luminance, Vec3{(*rgb[0])[i], (*rgb[1])[i], (*rgb[2])[i]});
+    if (std::isfinite(luminance)) light += solidAngles[i] * luminance;
+  }
+  return light;
+}
+
+/// What is known of a picture beside its rays: the share of all light that is left to them; of the other light, how
+/// much of it the picture shows and its error.
+struct OtherLight {
+  double share, light, error;
+};
+
+/// The picture of the populations that rays are followed for.
+struct RestSky {
+  RunReport report;
+  Image image;
+  TallyInfo info;
+  double error = 0.0;  // of the whole picture, in which errors of both parts may go together
+};
+
+RestSky traceRest(const LoadedScene& loaded, const OtherLight& other, const MixGoal& goal,
+                  const TraceControl& control) {
+  const Cloud cloud = cloudOf(loaded.scene);
+  const TraceSettings settings = chosenSettings(cloud, loaded.scene.trace);
+  SkySums sums(loaded, cloud);
+  Development picture(sums, loaded, control.threads);
+  const auto measure = [&]() -> std::optional<double> {
+    const std::optional<double> own = picture.error(control.stop);
+    if (!own) return own;
+    const double light = other.share * lightOf(picture.image(), loaded.scene.camera);
+    return (*own * light + other.error * other.light) / (light + other.light);
+  };
+  RunControl run;
+  static_cast<TraceControl&>(run) = control;
+  if (goal.raysEndEarly) run.goal = {goal.error, measure};
+  Tracer tracer(cloud, settings, sums.film(), control.threads, control.simd);
+  RestSky rest;
+  rest.report = traceRun(tracer, sums.film(), sums.origin().rays, {{0, settings.rays}}, cloud.bundleSize(), run);
+  if (rest.report.interrupted) return rest;
+  const std::optional<double> error = rest.report.error ? rest.report.error : measure();
+  rest.report.interrupted = !error;
+  if (!error) return rest;
+  rest.error = *error;
+  rest.image = picture.take().image;
+  rest.info = sums.tally().info();
+  return rest;
+}
+
 }  // namespace
 
 std::uint64_t raysOf(const Scene& scene) {
@@ -95,39 +153,60 @@ std::uint64_t raysOf(const Scene& scene) {
   return 0;
 }
 
-MixedSky mixSky(const LoadedScene& loaded, double error, const TraceControl& control, LightStore* store) {
+Engine integratingEngine(const Scene& scene) {
+  if (scene.trace.engine != Engine::automatic) return scene.trace.engine;
+  bool some = false, all = true;
+  const std::vector<bool> isIntegrable = integrable(scene);
+  for (std::size_t k = 0; k < isIntegrable.size(); ++k) {
+    if (scene.populations[k].weight == 0.0) continue;
+    some = some || isIntegrable[k];
+    all = all && isIntegrable[k];
+  }
+  if (!some) return Engine::automatic;
+  return all ? Engine::integral : Engine::mixed;
+}
+
+Engine engineForPicture(const Scene& scene, double error) {
+  // Of the scenes in scenes/ that are integrated, most are quicker by rays above this error, and most by the integral
+  // below. Rays take four times and more as long for half the error, the integral about twice.
+  constexpr double kRough = 0.06;
+  return error > kRough ? scene.trace.engine : integratingEngine(scene);
+}
+
+MixedSky mixSky(const LoadedScene& loaded, const MixGoal& goal, const TraceControl& control, LightStore* store) {
   const std::vector<bool> isIntegrable = integrable(loaded.scene);
   const LoadedScene smooth = onlyWith(loaded, isIntegrable, true), rough = onlyWith(loaded, isIntegrable, false);
   MixedSky mixed = namesOf(loaded.scene, isIntegrable);
   if (hasLight(smooth)) {
     const RunClock clock;
-    mixed.sky = withThreads(control.threads, [&] { return integrateSky(smooth, error, store); });
+    mixed.sky = withThreads(control.threads, [&] { return integrateSky(smooth, goal.error, store); });
     mixed.secondsIntegrated = clock.seconds();
   }
   if (!hasLight(rough)) return mixed;
   const RunClock clock;
-  const double traced = tracedShareOf(loaded.scene, isIntegrable);
-  const TracedSky rays = traceSky(rough, cloudOf(rough.scene), control);
-  mixed.report = rays.report;
-  if (rays.report.interrupted) return mixed;
-  ReconstructedSky sky = developSky(rays, rough, control.threads);
+  const double traced = mixed.tracedShare = tracedShareOf(loaded.scene, isIntegrable),
+               rest = hasLight(smooth) ? 1.0 - traced : 0.0;
+  const double smoothLight = rest > 0.0 ? rest * lightOf(mixed.sky.image, loaded.scene.camera) : 0.0;
+  RestSky others = traceRest(rough, {traced, smoothLight, mixed.sky.error}, goal, control);
+  mixed.report = others.report;
+  if (others.report.interrupted) return mixed;
   mixed.secondsTraced = clock.seconds();
-  mixed.tracedShare = traced;
+  mixed.sky.error = others.error;
+  if (goal.raysEndEarly) mixed.sky.reached = others.error <= goal.error;
   if (!hasLight(smooth)) {
-    mixed.sky.image = std::move(sky.image);
-    mixed.sky.info = rays.tally.info();
+    mixed.sky.image = std::move(others.image);
+    mixed.sky.info = others.info;
     return mixed;
   }
-  mix(mixed.sky.image, static_cast<float>(1.0 - traced), sky.image, static_cast<float>(traced));
+  mix(mixed.sky.image, static_cast<float>(rest), others.image, static_cast<float>(traced));
   TallyInfo& info = mixed.sky.info;
-  const TallyInfo& ofRays = rays.tally.info();
-  const double undeviated = (1.0 - traced) * info.undeviatedFraction() + traced * ofRays.undeviatedFraction();
-  info.rays = ofRays.rays;
+  const double undeviated = rest * info.undeviatedFraction() + traced * others.info.undeviatedFraction();
+  info.rays = others.info.rays;
   info.intercepted = {};
   info.intercepted.add(1.0);
   info.undeviated = {};
   info.undeviated.add(undeviated);
-  mixed.sky.cutOff *= 1.0 - traced;
+  mixed.sky.cutOff *= rest;
   return mixed;
 }
 

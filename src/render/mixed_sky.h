@@ -10,9 +10,23 @@
 
 namespace parhelion {
 
+/// What integrates as much of a scene's light as can be, where the scene leaves the choice of the engine to us; what it
+/// has where nothing can, or the choice is made.
+Engine integratingEngine(const Scene& scene);
+
+/// What makes a picture to a stated error in the least time, where the scene leaves the choice: rays for a rough look,
+/// else what integrates. Which is quicker was measured (docs/speed.md).
+Engine engineForPicture(const Scene& scene, double error);
+
+/// How good a mixed picture is to be.
+struct MixGoal {
+  double error;               // of what is integrated; of the whole picture where rays may end early
+  bool raysEndEarly = false;  // once that is reached
+};
+
 /// A sky whose populations were each made by the engine that serves it.
 struct MixedSky {
-  IntegratedSky sky;                            // of all; its rays are those that were traced
+  IntegratedSky sky;                            // of all, and its error; its rays are those that were traced
   std::vector<std::string> integrated, traced;  // names of the populations
   double tracedShare = 0.0;                     // of the light, by a pilot sample
   double secondsIntegrated = 0.0, secondsTraced = 0.0;
@@ -22,10 +36,11 @@ struct MixedSky {
 /// The rays that a scene's picture takes: none where all is integrated, else the scene's.
 std::uint64_t raysOf(const Scene& scene);
 
-/// Integrates the populations that can be to so small an error; traces the scene's rays for all others, and
-/// reconstructs those as the scene says. The same bits for any number of threads. Throws as traceRays() and
+/// Integrates the populations that can be to so small an error; traces rays for all others, the scene's at most, and
+/// reconstructs those as the scene says. The same bits for any number of threads. Throws as traceRun() and
 /// lightPartsOf() do. Where the control stops the rays, `report` says so.
-MixedSky mixSky(const LoadedScene& loaded, double error, const TraceControl& control = {}, LightStore* store = nullptr);
+MixedSky mixSky(const LoadedScene& loaded, const MixGoal& goal, const TraceControl& control = {},
+                LightStore* store = nullptr);
 
 /// Light over the whole sphere as SkyMap has it, each population's made by the engine that serves it.
 struct MixedMap {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "crystal/population.h"
+#include "math/gauss_legendre.h"
 #include "optics/ice.h"
 #include "optics/spectrum.h"
 
@@ -88,7 +89,8 @@ std::vector<PrismShare> prismsOf(const PopulationSettings& settings, int count) 
   const AngleQuantile* stretch = population.stretch();
   if (!stretch) return {{2.0 * std::get<FixedValue>(std::get<PrismSettings>(settings.shape).aspect).value, 1.0}};
   std::vector<PrismShare> prisms;
-  for (int k = 0; k < count; ++k) prisms.push_back({2.0 * stretch->at((k + 0.5) / count), 1.0 / count});
+  for (const QuadratureNode& node : gaussLegendre(count))
+    prisms.push_back({2.0 * stretch->at(0.5 + 0.5 * node.x), 0.5 * node.weight});
   return prisms;
 }
 

@@ -13,7 +13,8 @@ namespace parhelion {
 
 // What the integral engine needs to know of a scene.
 
-/// Lengths of a population's prisms, each with its share of the surface; where they are spread, so many.
+/// Lengths of a population's prisms, each with its share of the surface; where they are spread, the nodes of so many
+/// in a Gauss-Legendre rule over their distribution.
 std::vector<PrismShare> prismsOf(const PopulationSettings& settings, int count);
 
 /// The indices that a scene's light meets, by its energy as profiles count it.

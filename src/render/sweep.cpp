@@ -35,7 +35,7 @@ std::optional<double> renderFrame(const SweepFrame& frame, const TraceControl& c
   if (loaded.error) {
     MixedSky made;
     if (engine == Engine::mixed)
-      made = mixSky(loaded, *loaded.error, control, &store);
+      made = mixSky(loaded, {*loaded.error}, control, &store);
     else
       made.sky = withThreads(control.threads, [&] { return integrateSky(loaded, *loaded.error, &store); });
     if (made.report.interrupted) return std::nullopt;

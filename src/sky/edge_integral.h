@@ -3,11 +3,9 @@
 
 #include <span>
 
-namespace parhelion {
+#include "math/gauss_legendre.h"
 
-struct QuadratureNode {
-  double x, weight;
-};
+namespace parhelion {
 
 // Gauss-Legendre on [-1, 1]: the nodes above 0, each stands for two.
 inline constexpr QuadratureNode kGauss4[] = {{0.33998104358485626, 0.65214515486254609},

@@ -142,7 +142,7 @@ TEST_CASE("layers of a mixed sky hold what was integrated and what rays brought,
       "[[layer]]\nname = \"wedge\"\npaths = \"3-5\"\n[[layer]]\nname = \"parry\"\npopulations = [\"parry\"]\n"
       "[[layer]]\nname = \"plates\"\npopulations = [\"plates\"]\n";
   const LoadedScene loaded = parseScene(sun(20.0) + kPlates + kParry + layers + kBins, "mixed.toml");
-  const MixedSky mixed = mixSky(loaded, 0.03);
+  const MixedSky mixed = mixSky(loaded, {0.03});
   CHECK(mixed.integrated == std::vector<std::string>{"plates"});
   CHECK(mixed.traced == std::vector<std::string>{"parry"});
   const TracedSky traced = traceSky(loaded, cloudByLight(loaded.scene));

@@ -31,7 +31,7 @@ const std::string kDisplay =
 
 TEST_CASE("a mixed sky is that of rays alone") {
   const LoadedScene loaded = parseScene(kDisplay + "\"4M\"\n", "mixed.toml");
-  const MixedSky mixed = mixSky(loaded, 0.03);
+  const MixedSky mixed = mixSky(loaded, {0.03});
   CHECK(mixed.integrated == std::vector<std::string>{"plates", "random"});
   CHECK(mixed.traced == std::vector<std::string>{"parry"});
   const Image rays = plainRadiance(traceSky(loaded, cloudByLight(loaded.scene)).tally.flattened());
@@ -55,10 +55,23 @@ TEST_CASE("a mixed sky is the same to the bit for any number of threads") {
   TraceControl one, three;
   one.threads = 1;
   three.threads = 3;
-  const MixedSky a = mixSky(loaded, 0.2, one), b = mixSky(loaded, 0.2, three);
+  const MixedSky a = mixSky(loaded, {0.2}, one), b = mixSky(loaded, {0.2}, three);
   REQUIRE(a.sky.image.channels.size() == b.sky.image.channels.size());
   for (std::size_t k = 0; k < a.sky.image.channels.size(); ++k)
     CHECK(a.sky.image.channels[k].samples == b.sky.image.channels[k].samples);
+}
+
+TEST_CASE("rays of a mixed sky end where the whole picture is good enough") {
+  const LoadedScene loaded = parseScene(kDisplay + "\"4M\"\n", "mixed.toml");
+  const MixedSky early = mixSky(loaded, {0.2, true}), all = mixSky(loaded, {0.2});
+  CHECK(all.sky.info.rayCount() == 4'000'000);
+  CHECK(early.sky.info.rayCount() < 1'000'000);
+  CHECK(early.sky.reached);
+  CHECK(early.sky.error <= 0.2);
+  CHECK(all.sky.error < early.sky.error);
+  const MixedSky never = mixSky(parseScene(kDisplay + "\"100k\"\n", "mixed.toml"), {1e-3, true});
+  CHECK_FALSE(never.sky.reached);
+  CHECK(never.sky.error > 1e-3);
 }
 
 TEST_CASE("only what cannot be integrated takes rays") {
