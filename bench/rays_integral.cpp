@@ -42,7 +42,7 @@ const std::array<Curve, 4> kCurves{{{"plain rays", false, {"trace.symmetry='none
                                     {"mirrored or in rings", false, {"trace.symmetry='auto'"}},
                                     {"adaptive", true, {"trace.symmetry='auto'"}}}};
 
-constexpr double kErrors[] = {0.1, 0.02, 0.011};
+constexpr double kErrors[] = {0.1, 0.04, 0.02};
 
 LoadedScene load(const RaysPlan& plan, const Display& display, std::uint64_t rays, std::uint64_t seed,
                  const std::vector<std::string>& changes) {

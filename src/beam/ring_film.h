@@ -28,6 +28,9 @@ struct Channels {
   using Floats [[gnu::vector_size(C * sizeof(float))]] = float;
 };
 
+/// Cells of rings along which nothing is told apart.
+inline constexpr int kNoTurns = 2;
+
 /// Light in rings about the sun, for one azimuth of c, in C channels. Each is the same on both sides.
 template <int C>
 class RingFilm {
@@ -198,8 +201,7 @@ class RingFilm {
   static constexpr int kBeyond = 32;
   // Points to a cell's side, of faint light and of light between two indices, and at most along a side.
   static constexpr double kFaintPoints = 1.2, kSpreadPoints = 2.5, kMostPoints = 64.0;
-  // Cells of rings that are not told apart along them, and points to such a ring.
-  static constexpr int kNoTurns = 2;
+  // Points to a ring along which nothing is told apart.
   static constexpr double kRingPoints = 4.0;
 
   /// A turn, or whole turns from it, that is less than half of one from another.

@@ -51,7 +51,7 @@ class RingIntegration {
     BandMesh mesh;
     mesh.bands = evenly(kBands);
     mesh.rings = mesh.end = rings_;
-    mesh.cells = 2;
+    mesh.cells = kNoTurns;
     const CosineTable cosines(mesh.cells);
     LightTable table(scene_.prisms, scene_.indices, evenly(kColumns), mesh.bands, accuracy_.cutShare, scene_.wanted);
     table.prepare(0.0, 0.5 * kPi);

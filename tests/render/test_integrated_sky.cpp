@@ -255,7 +255,8 @@ TEST_CASE("what pictures leave to the next changes no bit of them, and spares tr
       for (std::size_t k = 0; k < one.image.channels.size(); ++k)
         CHECK(one.image.channels[k].samples == next.image.channels[k].samples);
     }
-    CHECK(directions < (room > 0 ? 0.6 : 1.0) * static_cast<double>(alone));
+    // Rings are traced once, and plates for places of the sun that others had.
+    CHECK(directions < (room > 0 ? 0.8 : 1.0) * static_cast<double>(alone));
   }
 }
 
