@@ -173,10 +173,9 @@ class TiltIntegration {
         const double scale = colours_ ? 1.0 : grey[1];
         const double variance = factor * factor * scale * scale * most;
         result_.variance[i] = static_cast<float>(variance);
-        const auto& pixel = pixels_[i];
+        const TiltSky::PixelLight lit = litAt(x, y);
         for (std::size_t c = 0; c < 3; ++c)
-          result_.xyz[i][c] =
-              colours_ ? pixel[c] : static_cast<float>(std::max(static_cast<double>(pixel[0]), 0.0) * grey[c]);
+          result_.xyz[i][c] = colours_ ? lit[c] : static_cast<float>(static_cast<double>(lit[0]) * grey[c]);
         errors[static_cast<std::size_t>(y)] += std::sqrt(variance);
         light[static_cast<std::size_t>(y)] += static_cast<double>(result_.xyz[i][1]);
       }
@@ -192,6 +191,30 @@ class TiltIntegration {
       error += std::sqrt(static_cast<double>(result_.variance[i]));
     }
     result_.error = all > 0.0 ? error / all : 0.0;
+  }
+
+  /// What a pixel's light is taken for. Beside a sharp edge what is put back of blur may leave less than nothing: there
+  /// it is that of the darkest neighbour with any.
+  TiltSky::PixelLight litAt(int x, int y) const {
+    const int width = camera_.width();
+    const auto at = [&](int column, int row) -> const TiltSky::PixelLight& {
+      return pixels_[static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
+                     static_cast<std::size_t>(column)];
+    };
+    // No visible light has a Y without an X, but red has next to no Z.
+    const std::size_t luminance = colours_ ? 1 : 0;
+    const auto isLight = [&](const TiltSky::PixelLight& one) { return one[0] > 0.0F && one[luminance] > 0.0F; };
+    TiltSky::PixelLight light = at(x, y);
+    if (!isLight(light)) {
+      light = {};
+      for (int row = std::max(y - 1, 0); row <= std::min(y + 1, camera_.height() - 1); ++row)
+        for (int column = std::max(x - 1, 0); column <= std::min(x + 1, width - 1); ++column) {
+          const TiltSky::PixelLight& other = at(column, row);
+          if (isLight(other) && (!isLight(light) || other[luminance] < light[luminance])) light = other;
+        }
+    }
+    for (float& channel : light) channel = std::max(channel, 0.0F);
+    return light;
   }
 
   const AxisScene& scene_;

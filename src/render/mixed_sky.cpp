@@ -4,17 +4,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include <glm/geometric.hpp>
-
 #include "parallel/run_clock.h"
 #include "parallel/threads.h"
-#include "picture/colour_space.h"
 #include "picture/image.h"
 #include "render/development.h"
 #include "render/light_parts.h"
 #include "render/measurements.h"
 #include "render/tracing_run.h"
 #include "sky/camera.h"
+#include "sky/picture_error.h"
 #include "sky/radiance.h"
 #include "trace/sky_map.h"
 #include "trace/tracer.h"
@@ -88,18 +86,6 @@ void mix(Image& image, float a, const Image& other, float b) {
   }
 }
 
-/// Light of a picture's pixels together, each by its solid angle.
-double lightOf(const Image& image, const CameraSettings& camera) {
-  const std::vector<double> solidAngles = Camera(camera).solidAngles();
-  const auto rgb = image.rgb();
-  double light = 0.0;
-  for (std::size_t i = 0; i < solidAngles.size(); ++i) {
-    const double luminance = glm::dot(kRec709Luminance, Vec3{(*rgb[0])[i], (*rgb[1])[i], (*rgb[2])[i]});
-    if (std::isfinite(luminance)) light += solidAngles[i] * luminance;
-  }
-  return light;
-}
-
 /// What is known of a picture beside its rays: the share of all light that is left to them; of the other light, how
 /// much of it the picture shows and its error.
 struct OtherLight {
@@ -123,7 +109,7 @@ RestSky traceRest(const LoadedScene& loaded, const OtherLight& other, const MixG
   const auto measure = [&]() -> std::optional<double> {
     const std::optional<double> own = picture.error(control.stop);
     if (!own) return own;
-    const double light = other.share * lightOf(picture.image(), loaded.scene.camera);
+    const double light = other.share * pictureLight(picture.image(), loaded.scene.camera);
     return (*own * light + other.error * other.light) / (light + other.light);
   };
   RunControl run;
@@ -186,7 +172,7 @@ MixedSky mixSky(const LoadedScene& loaded, const MixGoal& goal, const TraceContr
   const RunClock clock;
   const double traced = mixed.tracedShare = tracedShareOf(loaded.scene, isIntegrable),
                rest = hasLight(smooth) ? 1.0 - traced : 0.0;
-  const double smoothLight = rest > 0.0 ? rest * lightOf(mixed.sky.image, loaded.scene.camera) : 0.0;
+  const double smoothLight = rest > 0.0 ? rest * pictureLight(mixed.sky.image, loaded.scene.camera) : 0.0;
   RestSky others = traceRest(rough, {traced, smoothLight, mixed.sky.error}, goal, control);
   mixed.report = others.report;
   if (others.report.interrupted) return mixed;

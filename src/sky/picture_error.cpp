@@ -55,6 +55,17 @@ double pictureError(const Image& sky, const Tally& tally) {
   return light > 0.0 ? errors / light : std::numeric_limits<double>::infinity();
 }
 
+double pictureLight(const Image& sky, const CameraSettings& camera) {
+  const auto rgb = sky.rgb();
+  const std::vector<double> solidAngles = Camera(camera).solidAngles();
+  double light = 0.0;
+  for (std::size_t i = 0; i < solidAngles.size(); ++i) {
+    const double luminance = glm::dot(kRec709Luminance, Vec3{(*rgb[0])[i], (*rgb[1])[i], (*rgb[2])[i]});
+    if (std::isfinite(luminance)) light += solidAngles[i] * luminance;
+  }
+  return light;
+}
+
 double plainError(const Tally& tally) { return pictureError(plainRadiance(tally), tally); }
 
 }  // namespace parhelion

@@ -28,4 +28,7 @@ double pictureError(const Image& sky, const Tally& tally);
 /// The same for the plain picture itself.
 double plainError(const Tally& tally);
 
+/// sum(omega L) of a picture that this camera took, linear Rec.709. Pixels that are not finite are left out.
+double pictureLight(const Image& sky, const CameraSettings& camera);
+
 }  // namespace parhelion

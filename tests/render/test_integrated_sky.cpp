@@ -220,6 +220,17 @@ TEST_CASE("the errors that integrated skies of crystals of one tilt and roll sta
   }
 }
 
+TEST_CASE("beside the sharp edges of coloured arcs an integrated sky has no less than no light") {
+  const LoadedScene loaded = parseScene(
+      "[sun]\nelevation = 10.0\n[[population]]\naspect = 2.0\norientation = \"column\"\ntilt = 0.3\n[camera]\n"
+      "projection = \"rectilinear\"\nelevation = 25.0\nfov_horizontal = 60.0\nresolution = [160, 160]\n",
+      "arcs.toml");
+  const IntegratedSky sky = integrateSky(loaded, 0.1);
+  const std::vector<double> luminance = luminanceOf(sky.image);
+  const auto dark = [](double light) { return light < 0.0; };
+  CHECK(std::ranges::count_if(luminance, dark) == 0);
+}
+
 TEST_CASE("an integrated sky is the same to the bit for any number of threads") {
   const std::string display =
       "[sun]\nspectrum = [500.0, 600.0]\n[[population]]\nname = \"a\"\naspect = 0.3\n"
