@@ -134,6 +134,10 @@ View filtered(const ViewInput& input, const ViewOptions& options) {
                                  input.path + " holds no hits; parhelion trace SCENE -o hits.exr makes such a file");
     view.picture = dots(*input.tally, options.dotSize.value_or(usualDotSize(*input.tally)),
                         options.drawsLines() ? kDotsUnderLines : 0);
+    if (input.hasRings)
+      view.remarks.push_back(
+          "random crystals are counted in rings here, which light every pixel of them: trace with "
+          "--symmetry mirror for dots");
     return view;
   }
   Shown shown = show(input, options.exposure);

@@ -90,6 +90,7 @@ ViewInput readViewInput(const std::string& path, const PhotographRules& rules, c
   if (input.photograph.text.contains(kTallyKey)) {
     const SkyTally sky = readSkyTallyExr(path);
     input.tally = sky.flattened();
+    input.hasRings = std::ranges::count(sky.symmetries(), TallySymmetry::radial) > 0;
     if (!layers.empty()) {
       requireLayers(path, sky.layers(), layers);
       LayerGains gains;

@@ -20,6 +20,7 @@ struct ViewInput {
   std::optional<Image> light;  // of an EXR: what it holds; of a tally: each pixel's own light, unfiltered
   Image layers;                // of an EXR whose layers are to be named: their light
   std::optional<Tally> tally;
+  bool hasRings = false;  // of a tally: some light counts for whole rings about the sun
 
   std::string sceneFile;  // the file that has the scene
 

@@ -145,6 +145,19 @@ TEST_CASE("dots are the hits of a tally") {
   CHECK(hits > 20);
 }
 
+TEST_CASE("dots of light that counts for whole rings are drawn with a word about it") {
+  WithSky folder;
+  const auto isTold = [&](const std::string& symmetry) {
+    const std::string trace = "parhelion trace s.toml --rays 300 --overwrite -o r.exr ";
+    const Outcome outcome =
+        run(folder, trace + "--symmetry " + symmetry + " && parhelion view r.exr --dots --overwrite -o d.png");
+    REQUIRE_MESSAGE(outcome.exit == 0, outcome.err);
+    return outcome.err.find("--symmetry mirror") != std::string::npos;
+  };
+  CHECK(isTold("radial"));
+  CHECK_FALSE(isTold("mirror"));
+}
+
 TEST_CASE("dots under lines are grey, so that the lines can be read") {
   WithSky folder;
   REQUIRE(run(folder, "parhelion view hits.exr --dots --overlay --layer lines.png -o dots.png").exit == 0);
