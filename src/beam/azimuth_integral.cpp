@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "beam/azimuth_sheet.h"
+#include "beam/mesh_levels.h"
 #include "beam/sheet_integration.h"
 #include "beam/sun_slices.h"
 #include "parallel/loops.h"
@@ -169,9 +170,8 @@ SkyIntegral integrateAzimuths(const AxisScene& scene, const SkyAccuracy& accurac
 }
 
 std::uint64_t memoryForAzimuths(double sunRadius, double error) {
-  constexpr double kFirstError = 0.08, kBetter = 1.5, kClasses = 300.0;  // of a mesh, more or less; of a piece, at most
-  const double levels = std::ceil(std::log(kFirstError / error) / std::log(kBetter));
-  const int level = static_cast<int>(std::clamp(levels, 0.0, double{kMostLevel}));
+  constexpr double kClasses = 300.0;  // of a piece, at most
+  const int level = MeshLevels{0.08, 1.5, kMostLevel}.firstFor(error);
   const double rows = sunRadius > 0.0 ? slicesAt(level, sunRadius) + 1.0 : 1.0;
   const double indices = 1.0 + atLevel(level, sunRadius > 0.0 ? kIndices : kLights);
   return static_cast<std::uint64_t>(kAtOnce * kClasses * rows * indices * AzimuthLight::kRoom * sizeof(float));

@@ -38,8 +38,11 @@ LoadedScene onlyWith(const LoadedScene& loaded, const std::vector<bool>& isInteg
   return part;
 }
 
-bool hasLight(const LoadedScene& loaded) {
-  return std::ranges::any_of(loaded.scene.populations, [](const auto& one) { return one.weight > 0.0; });
+/// Whether a scene has light of populations that are integrable, or that are not.
+bool hasLight(const Scene& scene, const std::vector<bool>& isIntegrable, bool wanted) {
+  for (std::size_t k = 0; k < isIntegrable.size(); ++k)
+    if (scene.populations[k].weight > 0.0 && isIntegrable[k] == wanted) return true;
+  return false;
 }
 
 /// The share of a scene's light that meets populations which are not integrable.
@@ -133,23 +136,14 @@ RestSky traceRest(const LoadedScene& loaded, const OtherLight& other, const MixG
 std::uint64_t raysOf(const Scene& scene) {
   if (scene.trace.engine == Engine::integral) return 0;
   if (scene.trace.engine != Engine::mixed) return scene.trace.rays;
-  const std::vector<bool> isIntegrable = integrable(scene);
-  for (std::size_t k = 0; k < isIntegrable.size(); ++k)
-    if (scene.populations[k].weight > 0.0 && !isIntegrable[k]) return scene.trace.rays;
-  return 0;
+  return hasLight(scene, integrable(scene), false) ? scene.trace.rays : 0;
 }
 
 Engine integratingEngine(const Scene& scene) {
   if (scene.trace.engine != Engine::automatic) return scene.trace.engine;
-  bool some = false, all = true;
   const std::vector<bool> isIntegrable = integrable(scene);
-  for (std::size_t k = 0; k < isIntegrable.size(); ++k) {
-    if (scene.populations[k].weight == 0.0) continue;
-    some = some || isIntegrable[k];
-    all = all && isIntegrable[k];
-  }
-  if (!some) return Engine::automatic;
-  return all ? Engine::integral : Engine::mixed;
+  if (!hasLight(scene, isIntegrable, true)) return Engine::automatic;
+  return hasLight(scene, isIntegrable, false) ? Engine::mixed : Engine::integral;
 }
 
 Engine engineForPicture(const Scene& scene, double error) {
@@ -162,16 +156,18 @@ Engine engineForPicture(const Scene& scene, double error) {
 MixedSky mixSky(const LoadedScene& loaded, const MixGoal& goal, const TraceControl& control, LightStore* store) {
   const std::vector<bool> isIntegrable = integrable(loaded.scene);
   const LoadedScene smooth = onlyWith(loaded, isIntegrable, true), rough = onlyWith(loaded, isIntegrable, false);
+  const bool hasSmooth = hasLight(loaded.scene, isIntegrable, true),
+             hasRough = hasLight(loaded.scene, isIntegrable, false);
   MixedSky mixed = namesOf(loaded.scene, isIntegrable);
-  if (hasLight(smooth)) {
+  if (hasSmooth) {
     const RunClock clock;
     mixed.sky = withThreads(control.threads, [&] { return integrateSky(smooth, goal.error, store); });
     mixed.secondsIntegrated = clock.seconds();
   }
-  if (!hasLight(rough)) return mixed;
+  if (!hasRough) return mixed;
   const RunClock clock;
   const double traced = mixed.tracedShare = tracedShareOf(loaded.scene, isIntegrable),
-               rest = hasLight(smooth) ? 1.0 - traced : 0.0;
+               rest = hasSmooth ? 1.0 - traced : 0.0;
   const double smoothLight = rest > 0.0 ? rest * pictureLight(mixed.sky.image, loaded.scene.camera) : 0.0;
   RestSky others = traceRest(rough, {traced, smoothLight, mixed.sky.error}, goal, control);
   mixed.report = others.report;
@@ -179,7 +175,7 @@ MixedSky mixSky(const LoadedScene& loaded, const MixGoal& goal, const TraceContr
   mixed.secondsTraced = clock.seconds();
   mixed.sky.error = others.error;
   if (goal.raysEndEarly) mixed.sky.reached = others.error <= goal.error;
-  if (!hasLight(smooth)) {
+  if (!hasSmooth) {
     mixed.sky.image = std::move(others.image);
     mixed.sky.info = others.info;
     return mixed;
@@ -218,16 +214,18 @@ MixedMap mixMap(const LoadedScene& loaded, int binsPerHalfTurn, double error, co
   const LoadedScene whole = sceneOfMap(loaded, binsPerHalfTurn);
   const std::vector<bool> isIntegrable = integrable(whole.scene);
   const LoadedScene smooth = onlyWith(whole, isIntegrable, true), rough = onlyWith(whole, isIntegrable, false);
+  const bool hasSmooth = hasLight(whole.scene, isIntegrable, true),
+             hasRough = hasLight(whole.scene, isIntegrable, false);
   MixedMap map{LightMap(MapGrid(binsPerHalfTurn)), namesOf(whole.scene, isIntegrable)};
   MixedSky& made = map.made;
-  if (hasLight(smooth)) {
+  if (hasSmooth) {
     const RunClock clock;
     made.sky = withThreads(control.threads, [&] { return integrateSky(smooth, error, nullptr, Counted::energy); });
     addPixels(map.light, made.sky, smooth.scene);
     made.sky.image = {};
     made.secondsIntegrated = clock.seconds();
   }
-  if (!hasLight(rough)) return map;
+  if (!hasRough) return map;
   const RunClock clock;
   const Cloud cloud = cloudByLight(rough.scene);
   SkyMap rays(cloud.sun().toCentre(), binsPerHalfTurn);
