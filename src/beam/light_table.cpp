@@ -2,6 +2,7 @@
 #include "beam/light_table.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <utility>
 
@@ -47,8 +48,9 @@ double LightTable::meanOf(const std::vector<double>& columns) const {
 }
 
 void LightTable::prepare(double zeta0, double zeta1) {
-  const auto first = std::max<std::size_t>(between(placeOf(zeta0), rows_).row, 1) - 1,
-             last = std::min(between(placeOf(zeta1), rows_).row + 2, table_.size() - 1);
+  // With a stride of 2 the row before a place is up to one more away, and rounding may take it to the next.
+  const auto first = std::max<std::size_t>(between(placeOf(zeta0), rows_).row, 2) - 2,
+             last = std::min(between(placeOf(zeta1), rows_).row + 3, table_.size() - 1);
   std::vector<int> missing;
   for (std::size_t row = first; row <= last; ++row)
     if (!table_[row].isTraced()) missing.push_back(static_cast<int>(row));
@@ -95,6 +97,7 @@ PARHELION_ALSO_AVX2 bool LightTable::lightAt(double zeta, int number, const std:
   const auto row = step * static_cast<std::size_t>(stride);
   for (const std::size_t side : {row, row + static_cast<std::size_t>(stride)}) {
     const LightRow& from = table_[side];
+    assert(from.isTraced());
     const double weight = side == row ? 1.0 - t : t;
     if (!from.has(number) || weight == 0.0) continue;
     if (!any) std::fill_n(light, room_, 0.0);

@@ -41,7 +41,8 @@ class LightTable {
   /// Where among the rows an angle from -c lies.
   double placeOf(double zeta) const { return zeta * (2.0 / kPi) * rows_; }
 
-  /// Traces all rows between two angles that are not traced yet, in parallel, and one more at either end.
+  /// Traces all rows that angles between these two look at and that are not traced yet, in parallel. An angle may be
+  /// off by rounding.
   void prepare(double zeta0, double zeta1);
 
   /// Numbers of the classes (LightClass) that have light in any row that was traced.
