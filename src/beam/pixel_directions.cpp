@@ -44,6 +44,8 @@ double PixelDirections::size(int x, int y) const { return glm::distance(corner(x
 
 double PixelDirections::width(int x, int y) const {
   const Vec3 &a = corner(x, y), &b = corner(x + 1, y), &c = corner(x, y + 1), &d = corner(x + 1, y + 1);
+  for (const Vec3* one : {&a, &b, &c, &d})
+    if (*one == Vec3(0.0)) return 0.0;
   const double longest = std::max({glm::distance(a, b), glm::distance(c, d), glm::distance(a, c), glm::distance(b, d)});
   const std::size_t pixel =
       static_cast<std::size_t>(y) * static_cast<std::size_t>(camera_.width()) + static_cast<std::size_t>(x);

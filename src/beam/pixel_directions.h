@@ -26,7 +26,7 @@ class PixelDirections {
   /// The angle across a pixel's diagonal, rad.
   double size(int x, int y) const;
 
-  /// How narrow it is: its solid angle over the longest of its edges, rad.
+  /// How narrow it is: its solid angle over the longest of its edges, rad. 0 where a corner sees no sky.
   double width(int x, int y) const;
 
  private:

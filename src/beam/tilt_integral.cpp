@@ -138,39 +138,49 @@ class TiltIntegration {
   void judge() {
     const double factor = ofCoarse();
     const int width = camera_.width(), height = camera_.height();
-    result_.xyz.resize(pixels_.size());
-    result_.variance.resize(pixels_.size());
+    result_.xyz.assign(pixels_.size(), {});
+    result_.variance.assign(pixels_.size(), 0.0F);
     const std::size_t coarse = colours_ ? 3 : 1, y0 = colours_ ? 1 : 0;
     std::vector<double> errors(static_cast<std::size_t>(height)), light(static_cast<std::size_t>(height));
     const auto indexOf = [&](int x, int y) {
       return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
     };
     const Tristimulus grey = scene_.lines.empty() ? Tristimulus{} : scene_.lines[0].xyz;
-    double sum = 0.0;
-    for (const auto& pixel : pixels_) sum += static_cast<double>(pixel[y0]);
-    const double least = kFarRipple * sum / static_cast<double>(pixels_.size());
+    // Light per solid angle is what neighbours are compared by: at the rim of a picture they may differ widely in size.
+    double sum = 0.0, sky = 0.0;
+    for (std::size_t i = 0; i < pixels_.size(); ++i) {
+      sum += static_cast<double>(pixels_[i][y0]);
+      sky += directions_.solidAngle(i);
+    }
+    const double least = sky > 0.0 ? kFarRipple * sum / sky : 0.0;
     forRows(height, [&](int y) {
       for (int x = 0; x < width; ++x) {
+        if (perSolidAngle(x, y) == 0.0) continue;
         // What a pixel's own sums say of its error is itself uncertain: its neighbours are asked, too.
-        double most = least * least, lowest = 1e300, highest = 0.0;
+        double most = least * least, lowest = 1e300, highest = 0.0, across = directions_.width(x, y);
+        const bool isRim = across == 0.0;
         for (int dy = -1; dy <= 1; ++dy)
           for (int dx = -1; dx <= 1; ++dx) {
             const int nx = x + dx, ny = y + dy;
             if (nx < 0 || ny < 0 || nx >= width || ny >= height) continue;
+            const double per = perSolidAngle(nx, ny);
+            if (per == 0.0) continue;
             const auto& pixel = pixels_[indexOf(nx, ny)];
-            const double off = static_cast<double>(pixel[coarse] - pixel[y0]);
-            lowest = std::min(lowest, static_cast<double>(pixel[y0]));
-            highest = std::max(highest, static_cast<double>(pixel[y0]));
-            const double ripple = kRipple * static_cast<double>(pixel[y0]);
+            const double off = per * static_cast<double>(pixel[coarse] - pixel[y0]),
+                         luminance = per * static_cast<double>(pixel[y0]), ripple = kRipple * luminance;
+            // Of the rim's pixels only parts see the sky, but they lie as far apart as others.
+            if (isRim) across = std::max(across, directions_.width(nx, ny));
+            lowest = std::min(lowest, luminance);
+            highest = std::max(highest, luminance);
             most = std::max(most, off * off + ripple * ripple);
           }
         const std::size_t i = indexOf(x, y);
-        if (directions_.width(x, y) < cell()) {
+        if (across > 0.0 && across < cell()) {
           // Light is not told apart within a cell.
           const double apart = kWithinCell * (highest - lowest);
           most += apart * apart / (factor * factor);
         }
-        const double scale = colours_ ? 1.0 : grey[1];
+        const double scale = directions_.solidAngle(i) * (colours_ ? 1.0 : grey[1]);
         const double variance = factor * factor * scale * scale * most;
         result_.variance[i] = static_cast<float>(variance);
         const TiltSky::PixelLight lit = litAt(x, y);
@@ -193,6 +203,13 @@ class TiltIntegration {
     result_.error = all > 0.0 ? error / all : 0.0;
   }
 
+  /// One over the solid angle of a pixel; 0 where it sees no sky.
+  double perSolidAngle(int x, int y) const {
+    const double solidAngle = directions_.solidAngle(
+        static_cast<std::size_t>(y) * static_cast<std::size_t>(camera_.width()) + static_cast<std::size_t>(x));
+    return solidAngle > 0.0 ? 1.0 / solidAngle : 0.0;
+  }
+
   /// What a pixel's light is taken for. Beside a sharp edge what is put back of blur may leave less than nothing: there
   /// it is that of the darkest neighbour with any.
   TiltSky::PixelLight litAt(int x, int y) const {
@@ -205,12 +222,15 @@ class TiltIntegration {
     const std::size_t luminance = colours_ ? 1 : 0;
     const auto isLight = [&](const TiltSky::PixelLight& one) { return one[0] > 0.0F && one[luminance] > 0.0F; };
     TiltSky::PixelLight light = at(x, y);
-    if (!isLight(light)) {
+    const double per = perSolidAngle(x, y);
+    if (!isLight(light) && per > 0.0) {
       light = {};
       for (int row = std::max(y - 1, 0); row <= std::min(y + 1, camera_.height() - 1); ++row)
         for (int column = std::max(x - 1, 0); column <= std::min(x + 1, width - 1); ++column) {
-          const TiltSky::PixelLight& other = at(column, row);
-          if (isLight(other) && (!isLight(light) || other[luminance] < light[luminance])) light = other;
+          TiltSky::PixelLight other = at(column, row);
+          if (!isLight(other)) continue;
+          for (float& channel : other) channel *= static_cast<float>(perSolidAngle(column, row) / per);
+          if (!isLight(light) || other[luminance] < light[luminance]) light = other;
         }
     }
     for (float& channel : light) channel = std::max(channel, 0.0F);

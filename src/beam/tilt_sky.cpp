@@ -315,23 +315,27 @@ void TiltSky::expose(const BandLight& light, const PixelDirections& directions, 
       if (size > kWide) side = std::min(2 * side, kManyPoints);
       if (fromSun < 3.0 * size) side = std::max(side, kBesideSun);
       if (fromSun < size) side = std::max(side, kAtSun);
-      toSky.clear();
-      parts.clear();
       double all = 0.0;
-      for (int j = 0; j < side; ++j)
-        for (int i = 0; i < side; ++i) {
-          const double u = (i + 0.5) / side, v = (j + 0.5) / side;
-          if (whole) {
-            toSky.push_back(directions.within(x, y, u, v));
-            parts.push_back(1.0);
-          } else if (const auto seen = camera.toSky({x + u, y + v})) {
-            toSky.push_back(*seen);
-            parts.push_back(stretch({x + u, y + v}, *seen));
-          } else {
-            continue;
+      // At the picture's rim a pixel may see less of the sky than points lie apart.
+      for (bool seen = false; !seen && side <= kManyPoints; side *= 2) {
+        toSky.clear();
+        parts.clear();
+        for (int j = 0; j < side; ++j)
+          for (int i = 0; i < side; ++i) {
+            const double u = (i + 0.5) / side, v = (j + 0.5) / side;
+            if (whole) {
+              toSky.push_back(directions.within(x, y, u, v));
+              parts.push_back(1.0);
+            } else if (const auto there = camera.toSky({x + u, y + v})) {
+              toSky.push_back(*there);
+              parts.push_back(stretch({x + u, y + v}, *there));
+            } else {
+              continue;
+            }
+            all += parts.back();
           }
-          all += parts.back();
-        }
+        seen = all > 0.0;
+      }
       if (!(all > 0.0)) continue;
       for (double& part : parts) part *= solidAngle / all;
       lookUpAll(rows, toSky.data(), parts.data(), static_cast<int>(toSky.size()), pixels[pixel].data());

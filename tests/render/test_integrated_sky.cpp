@@ -231,6 +231,28 @@ TEST_CASE("beside the sharp edges of coloured arcs an integrated sky has no less
   CHECK(std::ranges::count_if(luminance, dark) == 0);
 }
 
+TEST_CASE("the rim of a picture, whose pixels see little of the sky, has the light that rays find there") {
+  const LoadedScene loaded = parseScene(
+      "[sun]\nelevation = 1.0\nvisible = false\n[[population]]\naspect = 0.2\norientation = \"plate\"\ntilt = 0.7\n"
+      "[camera]\nprojection = \"fisheye-equal-area\"\nfov_horizontal = 180.0\nresolution = [256, 256]\n"
+      "[recon]\nmethod = \"none\"\n[trace]\nrays = \"1M\"\n",
+      "rim.toml");
+  const IntegratedSky sky = integrateSky(loaded, 0.1);
+  CHECK(sky.error < 0.1);
+  const std::vector<double> integral = luminanceOf(sky.image),
+                            rays = luminanceOf(
+                                plainRadiance(traceSky(loaded, cloudByLight(loaded.scene)).tally.flattened()));
+  double a = 0.0, b = 0.0;
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    const double x = static_cast<double>(i % 256) - 127.5, y = static_cast<double>(i / 256) - 127.5;
+    if (std::hypot(x, y) < 127.0) continue;
+    a += integral[i];
+    b += rays[i];
+  }
+  // Parhelia on the horizon, by a hundred thousand rays.
+  CHECK(a == doctest::Approx(b).epsilon(0.05));
+}
+
 TEST_CASE("an integrated sky is the same to the bit for any number of threads") {
   const std::string display =
       "[sun]\nspectrum = [500.0, 600.0]\n[[population]]\nname = \"a\"\naspect = 0.3\n"
