@@ -44,12 +44,14 @@ BandLight::BandLight(const LightTable& table, const CosineTable& cosines, const 
       colours_(colours),
       lights_(lights),
       fewLights_(fewLights),
-      places_(1) {
+      layout_(mesh, cosines, channels()) {}
+
+RingLayout::RingLayout(const BandMesh& mesh, const CosineTable& cosines, int channels) : places_(1) {
   for (int ring = 0; ring < mesh.rings; ++ring) {
     const double sine = portable::sincos(std::clamp((ring + 0.5) / mesh.rings, 0.0, 1.0) * kPi).sin;
     const double orders = std::min(kOrders * mesh.cells * sine + kMoreOrders, mesh.orders);
     rooms_.push_back(ring < mesh.first || ring >= mesh.end ? 0 : cosines.room(orders));
-    places_.push_back(places_.back() + static_cast<std::size_t>(2 * channels() * rooms_.back()));
+    places_.push_back(places_.back() + static_cast<std::size_t>(2 * channels * rooms_.back()));
   }
 }
 
@@ -71,12 +73,13 @@ void BandLight::make(std::span<const int> numbers, std::vector<Band>& to) {
 void BandLight::clear(Band& band) const {
   band.totals = {};
   if (band.lit.empty()) {
-    band.light.assign(size(), 0.0F);
+    band.light.assign(layout_.size(), 0.0F);
     band.lit.assign(static_cast<std::size_t>(mesh_.rings), false);
   }
   for (int ring = mesh_.first; ring < mesh_.end; ++ring) {
     if (!band.lit[static_cast<std::size_t>(ring)]) continue;
-    std::fill_n(band.light.begin() + static_cast<std::ptrdiff_t>(placeOf(ring)), 2 * channels() * room(ring), 0.0F);
+    std::fill_n(band.light.begin() + static_cast<std::ptrdiff_t>(layout_.placeOf(ring)),
+                2 * channels() * layout_.room(ring), 0.0F);
     band.lit[static_cast<std::size_t>(ring)] = false;
   }
 }
@@ -251,10 +254,10 @@ template <int C>
 void BandLight::analyse(RingFilm<C>& film, Band& to) const {
   std::vector<CosineTable::CellPair<C>> pairs;
   for (int ring = mesh_.first; ring < mesh_.end; ++ring) {
-    film.take(ring - mesh_.first, pairs);
+    film.take(ring, pairs);
     if (pairs.empty()) continue;
     to.lit[static_cast<std::size_t>(ring)] = true;
-    cosines_.analyse<C>(pairs, room(ring), to.light.data() + placeOf(ring));
+    cosines_.analyse<C>(pairs, layout_.room(ring), to.light.data() + layout_.placeOf(ring));
   }
 }
 

@@ -23,6 +23,28 @@ struct BandMesh {
   double orders = 0.0;     // waves around a ring that matter, at most
 
   bool operator==(const BandMesh&) const = default;
+
+  /// Whether it has all rings and orders of another one, and is the same but for these.
+  bool covers(const BandMesh& other) const {
+    return first <= other.first && end >= other.end && orders >= other.orders &&
+           BandMesh{bands, rings, cells, other.first, other.end, other.orders} == other;
+  }
+};
+
+/// Where the cosines of rings lie in memory, ring after ring: those of a channel by parity, channel after channel.
+class RingLayout {
+ public:
+  RingLayout(const BandMesh& mesh, const CosineTable& cosines, int channels);
+
+  /// Orders of each parity that a ring has.
+  int room(int ring) const { return rooms_[static_cast<std::size_t>(ring)]; }
+  /// Where its numbers begin.
+  std::size_t placeOf(int ring) const { return places_[static_cast<std::size_t>(ring)]; }
+  std::size_t size() const { return places_.back(); }
+
+ private:
+  std::vector<int> rooms_;
+  std::vector<std::size_t> places_;
 };
 
 /// What crystals do to light by the angle alpha between their c axes and the sun, all rolls alike.
@@ -41,11 +63,7 @@ class BandLight {
   const BandMesh& mesh() const { return mesh_; }
   int channels() const { return colours_ ? 4 : 2; }
 
-  /// Orders of each parity that a ring has.
-  int room(int ring) const { return rooms_[static_cast<std::size_t>(ring)]; }
-  /// Where its numbers begin: those of a channel by parity, channel after channel.
-  std::size_t placeOf(int ring) const { return places_[static_cast<std::size_t>(ring)]; }
-  std::size_t size() const { return places_.back(); }
+  const RingLayout& layout() const { return layout_; }
 
   /// Of one band, for crystals whose probability is 1.
   struct Band {
@@ -88,8 +106,7 @@ class BandLight {
   BandMesh mesh_;
   bool colours_;
   LightSegments lights_, fewLights_;
-  std::vector<int> rooms_;
-  std::vector<std::size_t> places_;
+  RingLayout layout_;
   std::vector<std::unique_ptr<Scratch>> scratch_;  // for pieces of work
 };
 

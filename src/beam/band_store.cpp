@@ -6,6 +6,20 @@
 
 namespace parhelion {
 
+namespace {
+
+// More rings on either side, of all of them, and more orders, for the pictures to come.
+constexpr int kMoreRings = 8;
+constexpr double kMoreOrders = 1.5;
+
+void widen(BandMesh& mesh) {
+  mesh.first = std::max(mesh.first - mesh.rings / kMoreRings, 0);
+  mesh.end = std::min(mesh.end + mesh.rings / kMoreRings, mesh.rings);
+  mesh.orders *= kMoreOrders;
+}
+
+}  // namespace
+
 BandStore::Bands::Bands(BandStore& store, BandKind kind)
     : store_(store),
       kind_(std::move(kind)),
@@ -73,11 +87,15 @@ std::shared_ptr<const CosineTable> BandStore::cosines(int cells) {
 }
 
 BandStore::Bands& BandStore::open(const BandKind& kind) {
-  const auto found = std::ranges::find_if(kinds_, [&](const auto& one) { return one->kind_ == kind; });
+  const auto found = std::ranges::find_if(kinds_, [&](const auto& one) { return one->kind_.covers(kind); });
   Bands* bands = found != kinds_.end() ? found->get() : nullptr;
   if (!bands) {
-    if (mostBytes_ == 0) kinds_.clear();
-    bands = kinds_.emplace_back(std::unique_ptr<Bands>(new Bands(*this, kind))).get();
+    BandKind made = kind;
+    if (mostBytes_ == 0)
+      kinds_.clear();
+    else
+      widen(made.mesh);
+    bands = kinds_.emplace_back(std::unique_ptr<Bands>(new Bands(*this, made))).get();
   }
   bands->lastPicture_ = picture_;
   return *bands;

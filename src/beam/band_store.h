@@ -25,6 +25,13 @@ struct BandKind {
   const WantedPaths* wanted = nullptr;
 
   bool operator==(const BandKind&) const = default;
+
+  /// Whether bands of it have all that those of another one have, to the bit.
+  bool covers(const BandKind& other) const {
+    BandKind same = *this;
+    same.mesh = other.mesh;
+    return mesh.covers(other.mesh) && same == other;
+  }
 };
 
 /// A band and its number.
@@ -66,7 +73,7 @@ class BandStore {
       long lastPicture;
     };
     Bands(BandStore& store, BandKind kind);
-    std::uint64_t bytesEach() const { return sizeof(float) * light_.size(); }
+    std::uint64_t bytesEach() const { return sizeof(float) * light_.layout().size(); }
     void drop(long beforePicture);
 
     BandStore& store_;
@@ -85,7 +92,8 @@ class BandStore {
   /// Cosines for so many cells.
   std::shared_ptr<const CosineTable> cosines(int cells);
 
-  /// Good until the next picture; without room, until another kind is asked for.
+  /// Bands of a kind, or of one that covers it. Good until the next picture; without room, until another kind is asked
+  /// for.
   Bands& open(const BandKind& kind);
 
  private:

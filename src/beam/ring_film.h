@@ -42,9 +42,9 @@ class RingFilm {
         beyond_(std::min(kBeyond, cells)),
         width_(cells + 2 * beyond_),
         first_(first),
-        rows_(end - first),
-        film_(static_cast<std::size_t>(width_) * static_cast<std::size_t>(rows_)),
-        lit_(static_cast<std::size_t>(rows_), 0) {}
+        end_(end),
+        film_(static_cast<std::size_t>(width_) * static_cast<std::size_t>(end - first)),
+        lit_(static_cast<std::size_t>(end - first), 0) {}
 
   /// Adds the light of a triangle by its places among the rings and its turns, which may be of any sign.
   PARHELION_INLINE void add(const RingCorner& a, const RingCorner& b, const RingCorner& c, double share,
@@ -63,18 +63,18 @@ class RingFilm {
     const double least = std::min({turn[0], turn[1], turn[2]}), most = std::max({turn[0], turn[1], turn[2]});
     if (least < -beyond_ || most > half + beyond_)
       for (double& t : turn) t = std::clamp(std::abs(t), 0.0, half);
-    const double low = std::min({a.place, b.place, c.place}) - first_,
-                 high = std::max({a.place, b.place, c.place}) - first_;
-    if (!(high >= 0.0 && low < rows_)) return;
-    const int lastRow = std::min(static_cast<int>(high), rows_ - 1);
-    for (int row = std::max(static_cast<int>(low), 0); row <= lastRow; ++row) lit_[static_cast<std::size_t>(row)] = 1;
+    const double low = std::min({a.place, b.place, c.place}), high = std::max({a.place, b.place, c.place});
+    if (!(high >= first_ && low < end_)) return;
+    const int lastRow = std::min(static_cast<int>(high), end_ - 1);
+    for (int ring = std::max(static_cast<int>(low), first_); ring <= lastRow; ++ring) lit_[rowOf(ring)] = 1;
     shareOverCells(
-        {turn[0] + beyond_, a.place - first_, light[0]}, {turn[1] + beyond_, b.place - first_, light[1]},
-        {turn[2] + beyond_, c.place - first_, light[2]}, width_,
-        rows_, [&](int x, int y, double own) __attribute__((always_inline)) {
-          film_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x)] +=
+        {turn[0] + beyond_, a.place, light[0]}, {turn[1] + beyond_, b.place, light[1]},
+        {turn[2] + beyond_, c.place, light[2]}, width_, end_,
+        [&](int x, int y, double own) __attribute__((always_inline)) {
+          film_[rowOf(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x)] +=
               static_cast<float>(own) * per;
-        });
+        },
+        first_);
   }
 
   /// The same of two triangles that share the edge from the second corner to the third, by points.
@@ -152,10 +152,10 @@ class RingFilm {
     }
   }
 
-  /// Takes a row's light out: pairs of cells.
-  void take(int row, std::vector<CosineTable::CellPair<C>>& pairs) {
+  /// Takes a ring's light out: pairs of cells.
+  void take(int ring, std::vector<CosineTable::CellPair<C>>& pairs) {
     pairs.clear();
-    const auto r = static_cast<std::size_t>(row);
+    const std::size_t r = rowOf(ring);
     Floats* const cells = film_.data() + r * static_cast<std::size_t>(width_) + beyond_;
     if (!lit_[r]) return;
     for (int k = 1; k <= beyond_; ++k) {
@@ -213,17 +213,19 @@ class RingFilm {
   }
 
   PARHELION_INLINE void addPoint(double turn, double place, double light, const Floats& per) {
-    const double half = cells_, top = first_, bottom = first_ + rows_;
+    const double half = cells_;
     double px = std::abs(turn);
     if (px > half) px = 2.0 * half - px;
-    if (!(place >= top && place < bottom && px >= 0.0)) return;
+    if (!(place >= first_ && place < end_ && px >= 0.0)) return;
     const int column = std::min(static_cast<int>(px), cells_ - 1) + beyond_;
-    const auto row = static_cast<std::size_t>(place - top);
+    const std::size_t row = rowOf(static_cast<int>(place));
     film_[row * static_cast<std::size_t>(width_) + static_cast<std::size_t>(column)] += static_cast<float>(light) * per;
     lit_[row] = 1;
   }
 
-  int cells_, beyond_, width_, first_, rows_;
+  std::size_t rowOf(int ring) const { return static_cast<std::size_t>(ring - first_); }
+
+  int cells_, beyond_, width_, first_, end_;
   AlignedVector<Floats> film_;
   std::vector<char> lit_;  // rows that have light
 };

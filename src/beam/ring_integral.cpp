@@ -85,10 +85,10 @@ class RingIntegration {
       const auto r = static_cast<std::size_t>(ring);
       if (!band.lit[r]) continue;
       // Of the cosines, that of order 0 is all light.
-      const float* const orders = band.light.data() + light.placeOf(ring);
+      const float* const orders = band.light.data() + light.layout().placeOf(ring);
       for (int c = 0; c < channels; ++c) {
         const double weight = c == channels - 1 ? coarse : fine;
-        sums[r][static_cast<std::size_t>(c)] += weight * static_cast<double>(orders[2 * c * light.room(ring)]);
+        sums[r][static_cast<std::size_t>(c)] += weight * static_cast<double>(orders[2 * c * light.layout().room(ring)]);
       }
     }
   }

@@ -95,9 +95,9 @@ class TiltIntegration {
                                            scene_.segments(lights), scene_.segments(lights / 2), scene_.wanted});
     const BandLight& light = bands.light();
     const long traced = bands.directions();
-    sky.start(light);
+    sky.start(mesh, light.channels());
     bands.forEach(numbers, [&](std::span<const NumberedBand> some) { sky.add(light, some); });
-    sky.expose(light, directions_, pixels_);
+    sky.expose(directions_, pixels_);
     result_.totals = sky.totals();
     result_.directions += bands.directions() - traced;
     result_.sheets += static_cast<long>(numbers.size());

@@ -30,6 +30,8 @@ constexpr double kFade = 0.7;
 constexpr double kOfBand = 1.0 / 12.0, kAlong = 1.0 / 6.0, kAcross = 1.0 / 8.0;
 // Pixels wider than this (rad) are looked at by more points.
 constexpr double kWide = 0.03;
+// Pixels of so many points to a side and less share them out over the points of the sun's disc.
+constexpr int kMostShares = 4;
 // Points to a pixel's side: at most, in one that is not whole, beside the sun and in the one that the sun is in.
 constexpr int kManyPoints = 96, kBrokenPoints = 6, kBesideSun = 16, kAtSun = 64;
 
@@ -44,12 +46,16 @@ class RingLookUp {
     }
   }
 
-  /// Adds what directions (four lanes at most) see by all points of the sun, times `part` of each.
-  PARHELION_INLINE void add(const Vec3* toSky, const double* part, int count, FourFloats& sum) const {
+  /// Adds what directions see by all points of the sun, times `part` of each. They lie in `shares` equal groups: one
+  /// point of the sun is looked at from one of these, and the next from the next. `first` is the first point's group.
+  PARHELION_INLINE void add(const Vec3* toSky, const double* part, int count, int shares, int first,
+                            FourFloats& sum) const {
     double x[4]{}, y[4]{}, z[4]{}, weight[4]{};
     int filled = 0;
-    for (const Point& point : points_)
-      for (int k = 0; k < count; ++k) {
+    const int each = count / shares;
+    int share = first % shares;
+    for (const Point& point : points_) {
+      for (int k = share * each; k < (share + 1) * each; ++k) {
         // Turned back about the vertical.
         x[filled] = toSky[k].x * point.cos + toSky[k].y * point.sin;
         y[filled] = toSky[k].y * point.cos - toSky[k].x * point.sin;
@@ -60,6 +66,8 @@ class RingLookUp {
           filled = 0;
         }
       }
+      share = share + 1 < shares ? share + 1 : 0;
+    }
     if (filled) addFour({load<Four>(x), load<Four>(y), load<Four>(z)}, weight, filled, sum);
   }
 
@@ -202,10 +210,12 @@ void TiltSky::findOrders(Crystals& crystals) {
         highestOrder_ = std::max(highestOrder_, static_cast<double>(2 * (k % room) + 1));
 }
 
-void TiltSky::start(const BandLight& light) {
-  mesh_ = light.mesh();
+void TiltSky::start(const BandMesh& mesh, int channels) {
+  mesh_ = mesh;
+  channels_ = channels;
+  layout_.emplace(mesh, cosines_, channels);
   totals_ = {};
-  for (Crystals& crystals : crystals_) crystals.sky->assign(light.size(), 0.0F);
+  for (Crystals& crystals : crystals_) crystals.sky->assign(layout_->size(), 0.0F);
 }
 
 PARHELION_ALSO_AVX2 static void addProducts(const float* a, const float* b, int count, float* to) {
@@ -219,32 +229,31 @@ void TiltSky::add(const BandLight& light, std::span<const NumberedBand> bands) {
     for (const auto& [number, band] : bands)
       totals_.add(band->totals, weight * crystals.shares[static_cast<std::size_t>(number)]);
   }
-  const int channels = light.channels();
   forRows(mesh_.end - mesh_.first, [&](int row) {
-    const int ring = mesh_.first + row, room = light.room(ring);
+    const int ring = mesh_.first + row, room = layout_->room(ring), roomOfBand = light.layout().room(ring);
     for (Crystals& crystals : crystals_) {
-      float* const to = crystals.sky->data() + light.placeOf(ring);
+      float* const to = crystals.sky->data() + layout_->placeOf(ring);
       for (const auto& [number, band] : bands) {
         if (!band->lit[static_cast<std::size_t>(ring)]) continue;
-        const float* const from = band->light.data() + light.placeOf(ring);
+        const float* const from = band->light.data() + light.layout().placeOf(ring);
         const float* const orders =
             crystals.orders.data() + static_cast<std::size_t>(number) * 4 * static_cast<std::size_t>(room_);
-        for (int part = 0; part < 2 * channels; ++part) {
-          const int own = (part >= 2 * (channels - 1) ? 2 : 0) + part % 2;
-          addProducts(orders + own * room_, from + part * room, room, to + part * room);
+        for (int part = 0; part < 2 * channels_; ++part) {
+          const int own = (part >= 2 * (channels_ - 1) ? 2 : 0) + part % 2;
+          addProducts(orders + own * room_, from + part * roomOfBand, room, to + part * room);
         }
       }
     }
   });
 }
 
-void TiltSky::synthesise(const BandLight& light, Crystals& crystals) const {
-  const int channels = light.channels(), rings = mesh_.end - mesh_.first;
+void TiltSky::synthesise(Crystals& crystals) const {
+  const int channels = channels_, rings = mesh_.end - mesh_.first;
   const std::size_t stride = 4 * static_cast<std::size_t>(mesh_.cells);
   AlignedVector<float>& plain = *plain_;
   plain.resize(std::max(plain.size(), static_cast<std::size_t>(rings) * stride));
   forRows(rings, [&](int row) {
-    const int ring = mesh_.first + row, room = light.room(ring);
+    const int ring = mesh_.first + row, room = layout_->room(ring);
     const double from = kPi * ring / mesh_.cells, to = kPi * (ring + 1) / mesh_.cells;
     const double per = 1.0 / (2.0 * kPi * (portable::cos(from) - portable::cos(to)));
     std::vector<float> orders(static_cast<std::size_t>(2 * channels * room));
@@ -257,7 +266,7 @@ void TiltSky::synthesise(const BandLight& light, Crystals& crystals) const {
         const double sharp = part < 2 * (channels - 1) ? 1.0 + kAlong * waves * waves : 1.0;
         const double weight = per * fade * sharp * (order == 0 ? 1.0 : 2.0);
         const auto at = static_cast<std::size_t>(part * room + k);
-        orders[at] = static_cast<float>(weight * static_cast<double>((*crystals.sky)[light.placeOf(ring) + at]));
+        orders[at] = static_cast<float>(weight * static_cast<double>((*crystals.sky)[layout_->placeOf(ring) + at]));
       }
     cosines_.synthesise(orders.data(), channels, room, plain.data() + static_cast<std::size_t>(row) * stride);
   });
@@ -276,20 +285,22 @@ void TiltSky::synthesise(const BandLight& light, Crystals& crystals) const {
 }
 
 PARHELION_ALSO_AVX2 static void lookUpAll(const std::vector<RingLookUp>& rows, const Vec3* toSky, const double* part,
-                                          int count, float* sum) {
+                                          int count, int shares, float* sum) {
   FourFloats four = load<FourFloats>(sum);
-  for (const RingLookUp& row : rows) row.add(toSky, part, count, four);
+  int first = 0;
+  for (const RingLookUp& row : rows) row.add(toSky, part, count, shares, first++, four);
   store(sum, four);
 }
 
-void TiltSky::expose(const BandLight& light, const PixelDirections& directions, std::vector<PixelLight>& pixels) {
+void TiltSky::expose(const PixelDirections& directions, std::vector<PixelLight>& pixels) {
   std::vector<RingLookUp> rows;
   for (Crystals& crystals : crystals_) {
-    synthesise(light, crystals);
+    synthesise(crystals);
     rows.emplace_back(crystals.sun, crystals.cells->data(), mesh_);
   }
   const Camera& camera = directions.camera();
   const double cell = kPi / mesh_.cells;
+  const bool isDisc = crystals_.size() > 1;
   const Vec3 sun = crystals_[crystals_.size() / 2].sun.toSun;
   // How much sky there is at a place of a wide pixel.
   const auto stretch = [&](Vec2 at, const Vec3& toSky) {
@@ -310,18 +321,19 @@ void TiltSky::expose(const BandLight& light, const PixelDirections& directions, 
       const auto middle = camera.directionAt({x + 0.5, y + 0.5});
       const double fromSun = middle ? glm::distance(*middle, sun) : 1.0;
       const double size = whole ? directions.size(x, y) : std::sqrt(2.0 * solidAngle);
-      int side = static_cast<int>(std::clamp(std::ceil(size / cell), 1.0, double{kManyPoints}));
+      int side = static_cast<int>(std::clamp(std::ceil(std::sqrt(0.5) * size / cell), 1.0, double{kManyPoints}));
       if (!whole) side = std::max(side, kBrokenPoints);
       if (size > kWide) side = std::min(2 * side, kManyPoints);
       if (fromSun < 3.0 * size) side = std::max(side, kBesideSun);
       if (fromSun < size) side = std::max(side, kAtSun);
       double all = 0.0;
       // At the picture's rim a pixel may see less of the sky than points lie apart.
-      for (bool seen = false; !seen && side <= kManyPoints; side *= 2) {
+      for (;; side *= 2) {
         toSky.clear();
         parts.clear();
-        for (int j = 0; j < side; ++j)
-          for (int i = 0; i < side; ++i) {
+        for (int k = 0; k < side; ++k)
+          for (int j = 0; j < side; ++j) {
+            const int i = (j + k) % side;
             const double u = (i + 0.5) / side, v = (j + 0.5) / side;
             if (whole) {
               toSky.push_back(directions.within(x, y, u, v));
@@ -334,11 +346,13 @@ void TiltSky::expose(const BandLight& light, const PixelDirections& directions, 
             }
             all += parts.back();
           }
-        seen = all > 0.0;
+        if (all > 0.0 || 2 * side > kManyPoints) break;
       }
       if (!(all > 0.0)) continue;
-      for (double& part : parts) part *= solidAngle / all;
-      lookUpAll(rows, toSky.data(), parts.data(), static_cast<int>(toSky.size()), pixels[pixel].data());
+      // Each point of the sun is seen from each row and each column of places once.
+      const int shares = whole && isDisc && side <= kMostShares ? side : 1;
+      for (double& part : parts) part *= shares * solidAngle / all;
+      lookUpAll(rows, toSky.data(), parts.data(), static_cast<int>(toSky.size()), shares, pixels[pixel].data());
     }
   });
 }

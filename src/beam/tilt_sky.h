@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -29,10 +30,10 @@ class TiltSky {
   /// The highest order that matters in any band.
   double highestOrder() const { return highestOrder_; }
 
-  /// Starts anew, for light of this layout.
-  void start(const BandLight& light);
+  /// Starts anew, for the rings and the orders of this mesh and so many channels.
+  void start(const BandMesh& mesh, int channels);
 
-  /// Adds the light of some bands, in their order.
+  /// Adds the light of some bands, in their order. They have these rings and orders, and maybe more.
   void add(const BandLight& light, std::span<const NumberedBand> bands);
 
   /// What all crystals do.
@@ -42,7 +43,7 @@ class TiltSky {
   using PixelLight = std::array<float, 4>;
 
   /// Takes the means of all pixels, times their solid angles.
-  void expose(const BandLight& light, const PixelDirections& directions, std::vector<PixelLight>& pixels);
+  void expose(const PixelDirections& directions, std::vector<PixelLight>& pixels);
 
  private:
   /// The crystals about one elevation of the sun.
@@ -55,11 +56,13 @@ class TiltSky {
   };
   void distribute(const std::function<double(double)>& tilt, CrystalSide side, Crystals& crystals) const;
   void findOrders(Crystals& crystals);
-  void synthesise(const BandLight& light, Crystals& crystals) const;
+  void synthesise(Crystals& crystals) const;
 
   const CosineTable& cosines_;
   BandMesh mesh_;
   int room_;  // of all orders
+  int channels_ = 0;
+  std::optional<RingLayout> layout_;  // of what is summed
   std::vector<Crystals> crystals_;
   AlignedVector<float>* plain_;  // cells of one elevation, before what lies across rings is sharpened
   std::vector<bool> reached_;

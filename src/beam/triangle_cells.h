@@ -46,25 +46,25 @@ PARHELION_INLINE void clip(const Polygon& from, double edge, double side, Polygo
 
 /// Shares the light of a triangle out over the cells of a grid: across the triangle both the place and the density are
 /// linear. The mean of the light at its corners is all its light. It may be as thin as a line. Calls add(x, y, light)
-/// for cells within the grid. Exact.
+/// for cells within the grid, from row `first` on. Exact.
 template <class Add>
 PARHELION_INLINE void shareOverCells(const LitPlace& a, const LitPlace& b, const LitPlace& c, int width, int height,
-                                     const Add& add) {
+                                     const Add& add, int first = 0) {
   using namespace triangle_cells;
   const double lowX = std::min({a.x, b.x, c.x}), highX = std::max({a.x, b.x, c.x});
   const double lowY = std::min({a.y, b.y, c.y}), highY = std::max({a.y, b.y, c.y});
-  if (!(highX >= 0.0 && lowX < width && highY >= 0.0 && lowY < height)) return;
+  if (!(highX >= 0.0 && lowX < width && highY >= first && lowY < height)) return;
   const double column = std::floor(lowX), row = std::floor(lowY), last = std::min(std::floor(highY), height - 1.0);
   const bool oneColumn = highX < column + 1.0, oneRow = highY < row + 1.0;
   if (oneColumn && oneRow) {
-    if (column < 0.0 || row < 0.0) return;
+    if (column < 0.0 || row < first) return;
     return add(static_cast<int>(column), static_cast<int>(row), (a.light + b.light + c.light) * (1.0 / 3.0));
   }
   if (oneColumn) {
     double place[3] = {a.y, b.y, c.y}, light[3] = {a.light, b.light, c.light};
     return shareOut(
         place, light, height, [&](double y, double part) __attribute__((always_inline)) {
-          add(static_cast<int>(column), static_cast<int>(y), part);
+          if (y >= first) add(static_cast<int>(column), static_cast<int>(y), part);
         });
   }
   if (oneRow) {
@@ -74,18 +74,15 @@ PARHELION_INLINE void shareOverCells(const LitPlace& a, const LitPlace& b, const
           add(static_cast<int>(x), static_cast<int>(row), part);
         });
   }
-  Polygon rest, band, above;
-  rest.corner[0] = {a.x, a.y, a.light, 0.0, 0.0};
-  rest.corner[1] = {b.x, b.y, b.light, 1.0, 0.0};
-  rest.corner[2] = {c.x, c.y, c.light, 0.0, 1.0};
-  rest.count = 3;
-  const double first = std::max(row, 0.0);
-  if (row < first) {
-    clip(rest, first, 1.0, above);
-    rest = above;
-  }
-  for (double y = first; y <= last; y += 1.0) {
-    clip(rest, y + 1.0, -1.0, band);
+  // Each row's part is cut from the whole triangle: it is the same to the bit whichever rows there are.
+  Polygon whole, above, band;
+  whole.corner[0] = {a.x, a.y, a.light, 0.0, 0.0};
+  whole.corner[1] = {b.x, b.y, b.light, 1.0, 0.0};
+  whole.corner[2] = {c.x, c.y, c.light, 0.0, 1.0};
+  whole.count = 3;
+  for (double y = std::max(row, double(first)); y <= last; y += 1.0) {
+    clip(whole, y, 1.0, above);
+    clip(above, y + 1.0, -1.0, band);
     for (int k = 2; k < band.count; ++k) {
       const Corner &p = band.corner[0], &q = band.corner[k - 1], &r = band.corner[k];
       const double share = std::abs((q.u - p.u) * (r.v - p.v) - (q.v - p.v) * (r.u - p.u));
@@ -95,9 +92,6 @@ PARHELION_INLINE void shareOverCells(const LitPlace& a, const LitPlace& b, const
             add(static_cast<int>(x), static_cast<int>(y), part);
           });
     }
-    if (y == last) break;
-    clip(rest, y + 1.0, 1.0, above);
-    rest = above;
   }
 }
 

@@ -138,7 +138,7 @@ bool renderLacking(const RunOptions& run, const std::vector<SweepFrame>& frames,
 
 /// The previews of all frames and their contact sheet, if one is asked for. False if a signal came.
 bool makePreviews(const SweepOptions& options, const std::vector<SweepFrame>& frames, const StopSignal& stop) {
-  const auto written = writePreviews(frames, {options.exposure, options.contactSheet, &stop.requested()});
+  const auto written = writePreviews(frames, {options.exposure, options.contactSheet, &stop.requested(), options.run.threads});
   if (!written || options.run.quiet) return written.has_value();
   say("previews of %zu frames at exposure %s%s", frames.size(), exposureText(written->exposure).c_str(),
       options.exposure ? "" : ", the median of what the frames would choose");

@@ -27,12 +27,18 @@ void Transaction::makeFolder(const std::filesystem::path& folder) {
 }
 
 StagedFile Transaction::take(const std::filesystem::path& path) {
+  const std::scoped_lock alone(*oneByOne_);
   const auto found =
       std::find_if(claimed_.begin(), claimed_.end(), [&](const auto& claimed) { return claimed.first == path; });
   if (found == claimed_.end()) return StagedFile(path, false);
   StagedFile file = std::move(found->second);
   claimed_.erase(found);
   return file;
+}
+
+void Transaction::stage(StagedFile file) {
+  const std::scoped_lock alone(*oneByOne_);
+  staged_.push_back(std::move(file));
 }
 
 void Transaction::commit() {

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
+#include <mutex>
 #include <string>
 #include <utility>
 #include <vector>
@@ -24,7 +26,8 @@ struct Output {
 
 /// The files of one run, which appear together or not at all. Each is complete and on the disk under a temporary name
 /// before the first one is renamed. What fails or is killed before leaves all files as they were; a failing rename has
-/// those before it taken back. Pipes and open descriptors get theirs before the first rename. Not for several threads.
+/// those before it taken back. Pipes and open descriptors get theirs before the first rename. Several threads may write
+/// files of it; all else is for one thread.
 class Transaction {
  public:
   Transaction() = default;
@@ -47,9 +50,10 @@ class Transaction {
 
   /// For AtomicFile: the file to write into, and what becomes of it when it is complete.
   StagedFile take(const std::filesystem::path& path);
-  void stage(StagedFile file) { staged_.push_back(std::move(file)); }
+  void stage(StagedFile file);
 
  private:
+  std::unique_ptr<std::mutex> oneByOne_ = std::make_unique<std::mutex>();  // of what is claimed and staged
   std::vector<std::pair<std::filesystem::path, StagedFile>> claimed_;
   std::vector<StagedFile> staged_;
   std::vector<std::filesystem::path> madeFolders_;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "parallel/loops.h"
 #include "parallel/run_clock.h"
 #include "parallel/threads.h"
 #include "picture/auto_exposure.h"
@@ -18,6 +19,8 @@ namespace parhelion {
 
 namespace {
 
+// Pictures that are held at the same time while previews are made.
+constexpr int kMostPictures = 4;
 // Files that wait for their names are open, and a process may have 1024.
 constexpr std::size_t kMostTogether = 256;
 
@@ -52,12 +55,15 @@ std::optional<double> renderFrame(const SweepFrame& frame, const TraceControl& c
 /// Median of the exposures that the frames would choose for themselves, of those that have light: a few frames that
 /// are nearly dark or flooded do not matter, and no two frames differ.
 double medianExposure(std::span<const SweepFrame> frames) {
-  std::vector<double> stops;
-  for (const SweepFrame& frame : frames) {
-    const Image image = readExr(frame.exr, ExrColours::rec709, {true}).image;
+  std::vector<std::optional<double>> own(frames.size());
+  forEach(frames.size(), [&](std::size_t k) {
+    const Image image = readExr(frames[k].exr, ExrColours::rec709, {true}).image;
     const std::vector<float>& green = *image.rgb()[1];
-    if (std::any_of(green.begin(), green.end(), [](float g) { return g > 0.0F; })) stops.push_back(autoExposure(image));
-  }
+    if (std::any_of(green.begin(), green.end(), [](float g) { return g > 0.0F; })) own[k] = autoExposure(image);
+  });
+  std::vector<double> stops;
+  for (const std::optional<double>& exposure : own)
+    if (exposure) stops.push_back(*exposure);
   if (stops.empty()) return 0.0;
   std::sort(stops.begin(), stops.end());
   return 0.5 * (stops[(stops.size() - 1) / 2] + stops[stops.size() / 2]);
@@ -100,29 +106,51 @@ SweepReport renderFrames(std::span<const SweepFrame> frames, const SweepControl&
   return report;
 }
 
-std::optional<SweepPreviews> writePreviews(std::span<const SweepFrame> frames, const SweepPreviewSettings& settings) {
+namespace {
+
+/// Writes the previews of some frames, and what a contact sheet has of each. The number of bad pixels.
+std::size_t previewSome(std::span<const SweepFrame> frames, const SweepPreviewSettings& settings, double exposure,
+                        const SheetLayout& layout, Transaction& together, std::span<SheetCell> cells) {
+  for (const SweepFrame& frame : frames) together.claim(frame.png());
+  std::atomic<std::size_t> badPixels = 0;
+  forEach(frames.size(), [&](std::size_t k) {
+    if (settings.stop && *settings.stop) return;
+    const SweepFrame& frame = frames[k];
+    const Image image = readExr(frame.exr, ExrColours::rec709, {true}).image;
+    const Preview preview = developPreview(image, {exposure});
+    badPixels += preview.badPixels;
+    writePreview(together.at(frame.png()), preview, exposure, frame.loaded.text);
+    if (!settings.contactSheet.empty()) cells[k] = {reducedToFit(image, layout), labelsOf(frame)};
+  });
+  return badPixels;
+}
+
+std::optional<SweepPreviews> writeAllPreviews(std::span<const SweepFrame> frames,
+                                              const SweepPreviewSettings& settings) {
   SweepPreviews written;
   written.exposure = settings.exposure ? *settings.exposure : medianExposure(frames);
   const SheetLayout layout = layoutOf(frames);
-  std::vector<SheetCell> cells;
+  std::vector<SheetCell> cells(frames.size());
   Transaction together;
-  std::size_t waiting = 0;
-  for (const SweepFrame& frame : frames) {
+  for (std::size_t first = 0; first < frames.size(); first += kMostTogether) {
+    if (first > 0) together.commit();
+    const std::size_t count = std::min(kMostTogether, frames.size() - first);
+    written.badPixels += previewSome(frames.subspan(first, count), settings, written.exposure, layout, together,
+                                     std::span(cells).subspan(first, count));
     if (settings.stop && *settings.stop) return std::nullopt;
-    const Image image = readExr(frame.exr, ExrColours::rec709, {true}).image;
-    const Preview preview = developPreview(image, {written.exposure});
-    written.badPixels += preview.badPixels;
-    if (waiting == kMostTogether) together.commit();
-    waiting = waiting % kMostTogether + 1;
-    together.claim(frame.png());
-    writePreview(together.at(frame.png()), preview, written.exposure, frame.loaded.text);
-    if (!settings.contactSheet.empty()) cells.push_back({reducedToFit(image, layout), labelsOf(frame)});
   }
-  if (!cells.empty())
+  if (!settings.contactSheet.empty())
     writePreview(together.at(settings.contactSheet), contactSheet(layout, cells, written.exposure), written.exposure,
                  {});
   together.commit();
   return written;
+}
+
+}  // namespace
+
+std::optional<SweepPreviews> writePreviews(std::span<const SweepFrame> frames, const SweepPreviewSettings& settings) {
+  const int threads = Threads(settings.threads).count();
+  return withThreads(std::min(threads, kMostPictures), [&] { return writeAllPreviews(frames, settings); });
 }
 
 }  // namespace parhelion

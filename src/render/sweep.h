@@ -36,6 +36,7 @@ struct SweepPreviewSettings {
   std::optional<double> exposure;           // stops; none: the median of what the frames would choose
   std::filesystem::path contactSheet;       // empty: none
   const std::atomic<bool>* stop = nullptr;  // looked at between frames
+  int threads = 0;                          // 0: one a processor
 };
 
 /// What was written.
