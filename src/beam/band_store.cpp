@@ -86,6 +86,12 @@ std::shared_ptr<const CosineTable> BandStore::cosines(int cells) {
   return table;
 }
 
+std::shared_ptr<const PixelDirections> BandStore::directions(const Camera& camera) {
+  if (!directions_ || directions_->camera().settings() != camera.settings())
+    directions_ = std::make_shared<const PixelDirections>(camera);
+  return directions_;
+}
+
 BandStore::Bands& BandStore::open(const BandKind& kind) {
   const auto found = std::ranges::find_if(kinds_, [&](const auto& one) { return one->kind_.covers(kind); });
   Bands* bands = found != kinds_.end() ? found->get() : nullptr;

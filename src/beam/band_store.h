@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "beam/band_light.h"
+#include "beam/pixel_directions.h"
 #include "beam/scatter_scene.h"
 
 namespace parhelion {
@@ -92,6 +93,9 @@ class BandStore {
   /// Cosines for so many cells.
   std::shared_ptr<const CosineTable> cosines(int cells);
 
+  /// Directions of a camera's pixels; kept until another camera's are asked for.
+  std::shared_ptr<const PixelDirections> directions(const Camera& camera);
+
   /// Bands of a kind, or of one that covers it. Good until the next picture; without room, until another kind is asked
   /// for.
   Bands& open(const BandKind& kind);
@@ -100,6 +104,7 @@ class BandStore {
   std::uint64_t mostBytes_, held_ = 0;
   long picture_ = 0;
   std::map<int, std::weak_ptr<const CosineTable>> cosines_;  // by cells
+  std::shared_ptr<const PixelDirections> directions_;
   std::vector<std::unique_ptr<Bands>> kinds_;
 };
 

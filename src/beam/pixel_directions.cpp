@@ -19,12 +19,17 @@ constexpr double kWidePixel = 0.05;
 PixelDirections::PixelDirections(const Camera& camera)
     : camera_(camera),
       corners_(static_cast<std::size_t>(camera.width() + 1) * static_cast<std::size_t>(camera.height() + 1)),
+      middles_(static_cast<std::size_t>(camera.width()) * static_cast<std::size_t>(camera.height())),
       solidAngles_(camera.solidAngles()) {
   const auto width = static_cast<std::size_t>(camera.width()) + 1;
   forRows(camera.height() + 1, [&](int y) {
     for (std::size_t x = 0; x < width; ++x)
       corners_[static_cast<std::size_t>(y) * width + x] =
           camera.directionAt({static_cast<double>(x), static_cast<double>(y)}).value_or(Vec3(0.0));
+    if (y == camera.height()) return;
+    for (std::size_t x = 0; x + 1 < width; ++x)
+      middles_[static_cast<std::size_t>(y) * (width - 1) + x] =
+          camera.directionAt({static_cast<double>(x) + 0.5, y + 0.5}).value_or(Vec3(0.0));
   });
 }
 

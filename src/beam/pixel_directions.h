@@ -17,6 +17,9 @@ class PixelDirections {
   /// Solid angle (sr) of a pixel; 0 where it shows no sky.
   double solidAngle(std::size_t pixel) const { return solidAngles_[pixel]; }
 
+  /// The direction of a pixel's middle, or 0 where that shows no sky.
+  const Vec3& middle(std::size_t pixel) const { return middles_[pixel]; }
+
   /// Whether all of a pixel shows sky and its corners are close together.
   bool isWhole(int x, int y) const;
 
@@ -36,7 +39,7 @@ class PixelDirections {
   }
 
   Camera camera_;
-  std::vector<Vec3> corners_;  // 0 where there is no sky
+  std::vector<Vec3> corners_, middles_;  // 0 where there is no sky
   std::vector<double> solidAngles_;
 };
 

@@ -57,7 +57,12 @@ int sunRowsOf(double radius, int cells) {
 class TiltIntegration {
  public:
   TiltIntegration(const AxisScene& scene, const SkyAccuracy& accuracy, const Camera& camera, BandStore& store)
-      : scene_(scene), accuracy_(accuracy), camera_(camera), store_(scene.wanted ? own_ : store), directions_(camera) {}
+      : scene_(scene),
+        accuracy_(accuracy),
+        camera_(camera),
+        store_(scene.wanted ? own_ : store),
+        kept_(store.directions(camera)),
+        directions_(*kept_) {}
 
   SkyIntegral run() {
     for (level_ = kLevels.firstFor(accuracy_.error);; ++level_) {
@@ -120,10 +125,11 @@ class TiltIntegration {
         const std::size_t pixel =
             static_cast<std::size_t>(y) * static_cast<std::size_t>(camera_.width()) + static_cast<std::size_t>(x);
         if (directions_.solidAngle(pixel) <= 0.0) continue;
-        const auto middle = camera_.directionAt({x + 0.5, y + 0.5});
-        if (!middle || !directions_.isWhole(x, y)) broken = true;
-        if (!middle) continue;
-        const double onto = std::clamp(glm::dot(*middle, scene_.sun.toCentre), -1.0, 1.0), theta = std::acos(onto);
+        const Vec3& middle = directions_.middle(pixel);
+        const bool isLit = middle != Vec3(0.0);
+        if (!isLit || !directions_.isWhole(x, y)) broken = true;
+        if (!isLit) continue;
+        const double onto = std::clamp(glm::dot(middle, scene_.sun.toCentre), -1.0, 1.0), theta = std::acos(onto);
         least = std::min(least, theta);
         most = std::max(most, theta);
         largest = std::max(largest, std::sqrt(directions_.solidAngle(pixel)));
@@ -242,7 +248,8 @@ class TiltIntegration {
   const Camera& camera_;
   BandStore own_;  // of light that is wanted, which no other picture asks for
   BandStore& store_;
-  PixelDirections directions_;
+  std::shared_ptr<const PixelDirections> kept_;
+  const PixelDirections& directions_;
   int level_ = 0;
   bool colours_ = true;
   std::vector<TiltSky::PixelLight> pixels_;

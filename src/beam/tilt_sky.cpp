@@ -318,8 +318,8 @@ void TiltSky::expose(const PixelDirections& directions, std::vector<PixelLight>&
       const double solidAngle = directions.solidAngle(pixel);
       if (solidAngle <= 0.0) continue;
       const bool whole = directions.isWhole(x, y);
-      const auto middle = camera.directionAt({x + 0.5, y + 0.5});
-      const double fromSun = middle ? glm::distance(*middle, sun) : 1.0;
+      const Vec3& middle = directions.middle(pixel);
+      const double fromSun = middle != Vec3(0.0) ? glm::distance(middle, sun) : 1.0;
       const double size = whole ? directions.size(x, y) : std::sqrt(2.0 * solidAngle);
       int side = static_cast<int>(std::clamp(std::ceil(std::sqrt(0.5) * size / cell), 1.0, double{kManyPoints}));
       if (!whole) side = std::max(side, kBrokenPoints);

@@ -8,6 +8,7 @@
 #include <doctest/doctest.h>
 #include <glm/geometric.hpp>
 
+#include "beam/band_light.h"
 #include "beam/cosine_table.h"
 #include "beam/light_class.h"
 #include "beam/sun_points.h"
@@ -101,6 +102,41 @@ TEST_CASE("light of a triangle is shared over the cells under it") {
   CHECK(cells[0][1] == doctest::Approx(0.25));
   CHECK(cells[2][2] == doctest::Approx(0.125));
   CHECK(cells[3][3] == 0.0);
+}
+
+TEST_CASE("rows of a grid have the same light to the bit, whichever rows there are") {
+  constexpr int kWidth = 12, kHeight = 16, kFirst = 5, kEnd = 11;
+  std::mt19937_64 random(11);
+  const auto place = [&](double size) { return 1.4 * size * (static_cast<double>(random() >> 11) * 0x1p-53 - 0.15); };
+  double all[kHeight][kWidth]{}, some[kHeight][kWidth]{};
+  for (int k = 0; k < 400; ++k) {
+    // Every other one is thin.
+    const double wide = k % 2 ? 1.0 : 0.02;
+    const LitPlace a{place(kWidth), place(kHeight), 1.0}, b{a.x + wide * place(kWidth), place(kHeight), 0.3},
+        c{a.x - wide * place(kWidth), place(kHeight), 2.0};
+    shareOverCells(a, b, c, kWidth, kHeight, [&](int x, int y, double light) { all[y][x] += light; });
+    shareOverCells(
+        a, b, c, kWidth, kEnd, [&](int x, int y, double light) { some[y][x] += light; }, kFirst);
+  }
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x) CHECK(some[y][x] == (y >= kFirst && y < kEnd ? all[y][x] : 0.0));
+}
+
+TEST_CASE("a mesh covers those of fewer rings and orders, and no other") {
+  const BandMesh mesh{40, 100, 100, 10, 90, 64.0};
+  const auto covered = [&](const auto& change) {
+    BandMesh other = mesh;
+    change(other);
+    return mesh.covers(other);
+  };
+  CHECK(mesh.covers(mesh));
+  CHECK(covered([](BandMesh& other) { other.first = 11; }));
+  CHECK(covered([](BandMesh& other) { other.end = 80; }));
+  CHECK(covered([](BandMesh& other) { other.orders = 32.0; }));
+  CHECK_FALSE(covered([](BandMesh& other) { other.first = 9; }));
+  CHECK_FALSE(covered([](BandMesh& other) { other.end = 91; }));
+  CHECK_FALSE(covered([](BandMesh& other) { other.orders = 96.0; }));
+  CHECK_FALSE(covered([](BandMesh& other) { other.bands = 38; }));
 }
 
 TEST_CASE("light right across c, and along planes of symmetry, is finite whatever was in memory before") {
