@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <optional>
 #include <string>
-#include <string_view>
 
 #include <CLI/CLI.hpp>
 
 namespace parhelion::cli {
-
-/// A time such as 90, 0.5s, 10min, 2h, 3d or 1h30min, in seconds; a number alone is seconds. None for anything else.
-std::optional<double> secondsIn(std::string_view text);
 
 /// For an option: complains unless its text is such a time from `least` to `most` seconds, or the word `also`, if there
 /// is one.

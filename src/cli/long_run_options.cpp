@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "cli/duration.h"
+#include "math/duration_text.h"
 #include "cli/number_options.h"
 #include "math/number_text.h"
 #include "render/wanted_rays.h"

@@ -32,6 +32,9 @@ struct SweepOptions {
   bool product = false;
 };
 
+/// The sun stands at an elevation or where it stood at a date: of these keys the later one would displace the other.
+bool placesSun(const std::string& key) { return key == "sun.elevation" || key == "sun.date"; }
+
 /// Throws std::invalid_argument for a key that is no single number or has a value for all frames, too.
 void requireSweepable(const std::string& key, const RunOptions& run) {
   for (const char* list : {"camera.resolution", "camera.distortion"})
@@ -41,8 +44,9 @@ void requireSweepable(const std::string& key, const RunOptions& run) {
   bool fixed = (key == "trace.rays" && !run.rays.empty()) || (key == "trace.seed" && !run.seed.empty()) ||
                (key.starts_with("camera.resolution.") && !run.resolution.empty());
   for (const std::string& said : run.overrides) {
-    const std::string other = said.substr(0, said.find('='));
-    fixed = fixed || other.substr(0, other.find_last_not_of(' ') + 1) == key;
+    const std::string before = said.substr(0, said.find('=')),
+                      other = before.substr(0, before.find_last_not_of(' ') + 1);
+    fixed = fixed || other == key || (placesSun(other) && placesSun(key));
   }
   if (fixed) throw std::invalid_argument(key + " is swept: it cannot have one value for all frames, too");
 }
@@ -52,6 +56,8 @@ std::vector<std::vector<std::string>> valuesOf(const SweepOptions& options) {
     std::vector<KeyRange> ranges;
     for (const std::string& key : options.keys) ranges.push_back(parseKeyRange(key));
     for (const KeyRange& range : ranges) requireSweepable(range.key, options.run);
+    if (std::count_if(ranges.begin(), ranges.end(), [](const KeyRange& range) { return placesSun(range.key); }) > 1)
+      throw std::invalid_argument("the sun is placed twice, by sun.elevation and by sun.date");
     return sweepFrames(ranges, options.product);
   } catch (const std::invalid_argument& error) {
     throw CLI::ValidationError("sweep", error.what());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string_view>
 #include <variant>
 #include <vector>
@@ -60,7 +61,8 @@ struct SunSettings {
   double elevation = radians(20.0);  // rad, above the horizon, [-pi/2, pi/2]
   double diameter = radians(0.533);  // rad, across the disc; 0 is a point sun
   SpectrumSettings spectrum = ContinuousSpectrum{};
-  bool visible = false;  // draw the undeviated light into the image
+  bool visible = false;                          // draw the undeviated light into the image
+  std::optional<double> azimuth = std::nullopt;  // rad, clockwise from north, where it is known
 };
 
 /// Warren & Brandt's table of the refractive index of ice.

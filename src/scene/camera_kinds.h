@@ -6,6 +6,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "scene/kinds.h"
 #include "scene/table_kinds.h"
@@ -57,11 +58,25 @@ struct NumberList {
 
 namespace parhelion {
 
+/// Where a scene's camera counts its azimuth from.
+enum class AzimuthFrom { sun, north };
+
+constexpr std::string_view nameOf(AzimuthFrom value) {
+  switch (value) {
+    case AzimuthFrom::sun:
+      return "sun";
+    case AzimuthFrom::north:
+      return "north";
+  }
+  return {};
+}
+
 /// The [camera] as its keys say it; camera_kind.cpp makes CameraSettings of it.
 struct CameraKeys {
   CameraSettings camera;
   std::array<int, 2> resolution{};
   std::array<std::optional<double>, kFieldOfViewKeys.size()> fieldsOfView;  // rad
+  AzimuthFrom azimuthFrom = AzimuthFrom::sun;
 };
 
 /// Hands each key of a camera to a visitor of scene keys.
@@ -111,6 +126,10 @@ template <class Visitor>
 void visitKeys(Visitor& v, CameraKeys& c) {
   CameraKinds<Visitor> camera(v, c);
   visitCameraKeys(camera);
+  v.key("azimuth_from", kinds::Choice<AzimuthFrom>{}, c.azimuthFrom,
+        "Where 'azimuth' counts from, clockwise as seen on a map: the sun, or north, which makes east 90. North needs "
+        "the "
+        "sun's date or azimuth.");
 }
 
 }  // namespace parhelion

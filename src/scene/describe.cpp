@@ -106,8 +106,9 @@ std::string describe(const SpectrumSettings& spectrum) {
 }
 
 std::string describe(const SunSettings& sun) {
-  return std::string("elevation ").append(inDegrees(sun.elevation)) + ", diameter " + inDegrees(sun.diameter) + ", " +
-         describe(sun.spectrum) + (sun.visible ? ", drawn" : ", not drawn");
+  const std::string azimuth = sun.azimuth ? ", azimuth " + inDegrees(*sun.azimuth) + " from north" : "";
+  return std::string("elevation ").append(inDegrees(sun.elevation)) + azimuth + ", diameter " +
+         inDegrees(sun.diameter) + ", " + describe(sun.spectrum) + (sun.visible ? ", drawn" : ", not drawn");
 }
 
 std::string describe(const IceSettings& ice) {

@@ -6,6 +6,8 @@
 #include <optional>
 #include <stdexcept>
 
+#include "math/date_time.h"
+#include "math/duration_text.h"
 #include "math/number_text.h"
 #include "math/range.h"
 #include "scene/utf8.h"
@@ -50,13 +52,18 @@ std::string valueText(double value) {
   return formatNumber(value + 0.0);
 }
 
-std::vector<std::string> rangeValues(std::string_view text, double from, double to, double step) {
-  const double steps = (to - from) / step;
+/// How many whole steps fit into a range.
+std::size_t stepsIn(std::string_view text, double length, double step, const std::string& to) {
+  const double steps = length / step;
   if (step == 0.0) refuse(text, "the step is 0");
   if (!std::isfinite(steps)) refuse(text, "the range is too long");
-  if (steps < 0.0) refuse(text, "steps of " + valueText(step) + " lead away from " + valueText(to));
+  if (steps < 0.0) refuse(text, "steps of " + valueText(step) + " lead away from " + to);
   if (steps >= static_cast<double>(kMaxFrames)) refuse(text, "more than " + std::to_string(kMaxFrames) + " values");
-  const auto last = static_cast<std::size_t>(std::floor(steps + kStepSlack));
+  return static_cast<std::size_t>(std::floor(steps + kStepSlack));
+}
+
+std::vector<std::string> rangeValues(std::string_view text, double from, double to, double step) {
+  const std::size_t last = stepsIn(text, to - from, step, valueText(to));
   std::vector<std::string> values;
   for (std::size_t i = 0; i <= last; ++i) {
     // Rounding must not leave a residue such as 5e-17 where the range passes through zero.
@@ -65,6 +72,62 @@ std::vector<std::string> rangeValues(std::string_view text, double from, double 
     if (i > 0 && values[i] == values[i - 1]) refuse(text, "the step is lost in 12 digits");
   }
   return values;
+}
+
+/// Splits at the colons or commas between dates, which hold colons themselves; the last part may be anything.
+std::vector<std::string_view> splitDates(std::string_view text) {
+  std::vector<std::string_view> parts;
+  while (true) {
+    const std::string_view front = trimmed(text);
+    const auto date = dateTimeAtFront(front);
+    const std::string_view rest = date ? trimmed(front.substr(date->length)) : std::string_view();
+    parts.push_back(rest.empty() ? front : front.substr(0, date->length));
+    if (rest.empty() || (rest[0] != ':' && rest[0] != ',')) return rest.empty() ? parts : std::vector{front};
+    text = rest.substr(1);
+  }
+}
+
+DateTime dateIn(std::string_view text, std::string_view part) {
+  const auto date = dateTimeAtFront(part);
+  if (!date || date->length != part.size())
+    refuse(text, "'" + std::string(part) +
+                     "' is no date and time that exists, with its offset from UTC; expected "
+                     "key=2026-12-21T09:00:00+01:00,... or key=from:to:step with a step such as 10min");
+  return date->time;
+}
+
+/// "-10min" as seconds.
+double stepOfTime(std::string_view text, std::string_view part) {
+  const bool back = part.starts_with('-');
+  const std::optional<double> size = secondsIn(back ? part.substr(1) : part);
+  if (!size) refuse(text, "'" + std::string(part) + "' is no step of time such as 90s, 10min, 2h or 1d");
+  return back ? -*size : *size;
+}
+
+std::vector<std::string> dateRange(std::string_view text, const std::vector<std::string_view>& parts) {
+  if (parts.size() != 3) refuse(text, "a range is from:to:step");
+  const DateTime from = dateIn(text, parts[0]), to = dateIn(text, parts[1]);
+  const double start = unixSeconds(from), length = unixSeconds(to) - start, step = stepOfTime(text, parts[2]);
+  const std::size_t count = stepsIn(text, length, step, textOf(to)) + 1;
+  std::vector<std::string> values;
+  for (std::size_t i = 0; i < count; ++i) {
+    values.push_back(textOf(dateTimeAt(start + static_cast<double>(i) * step, from.offset)));
+    if (i > 0 && values[i] == values[i - 1]) refuse(text, "the step is below a microsecond");
+  }
+  return values;
+}
+
+/// Of dates all have an offset of their own; those of a range have that of the first.
+std::vector<std::string> dateValues(std::string_view text, std::string_view values) {
+  const std::vector<std::string_view> parts = splitDates(values);
+  const bool isRange = trimmed(values).substr(parts[0].size()).starts_with(':');
+  if (isRange) return dateRange(text, parts);
+  std::vector<std::string> list;
+  for (const std::string_view part : parts) {
+    const DateTime date = dateIn(text, part);
+    list.push_back(textOf(dateTimeAt(unixSeconds(date), date.offset)));
+  }
+  return list;
 }
 
 /// Turns the wheels of a mileage counter, the last one fastest; false when all are back at 0.
@@ -100,6 +163,7 @@ KeyRange parseKeyRange(std::string_view text) {
   const std::string_view key = trimmed(text.substr(0, std::min(equals, text.size())));
   if (equals == std::string_view::npos || key.empty()) refuse(text, "expected key=from:to:step or key=a,b,c");
   const std::string_view values = text.substr(equals + 1);
+  if (beginsAsDate(trimmed(values))) return {std::string(key), dateValues(text, values)};
   if (values.find(':') != std::string_view::npos) {
     const std::vector<std::string_view> parts = split(values, ':');
     if (parts.size() != 3) refuse(text, "a range is from:to:step");

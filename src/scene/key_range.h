@@ -19,7 +19,7 @@ inline constexpr std::size_t kMaxFrames = 100'000;
 
 /// Reads "key=from:to:step" or "key=a,b,c" (one value will do). Value i of a range is from + i step, so that no error
 /// adds up, written with at most 12 digits, whole numbers with all of theirs; `to` is among the values if the steps
-/// reach it. Throws std::invalid_argument in one line that quotes `text`.
+/// reach it. The same for dates, whose step is a time such as 10min and whose offset from UTC is that of `from`. Throws std::invalid_argument in one line that quotes `text`.
 KeyRange parseKeyRange(std::string_view text);
 
 /// The overrides of each frame: the keys go together value by value, or in all combinations, the last key fastest.

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "math/overloaded.h"
+#include "optics/solar_position.h"
 #include "picture/image.h"
 #include "scene/parse_scene.h"
 #include "scene/utf8.h"
@@ -85,6 +86,25 @@ bool Seed::read(const Value& in, std::uint64_t& out) const {
   const auto value = integerIn(&in.node, 0, INT64_MAX);
   if (!value) return in.mustBe("an integer, at least 0");
   out = static_cast<std::uint64_t>(*value);
+  return true;
+}
+
+bool Date::read(const Value& in, DateTime& out) const {
+  constexpr const char* kForm = "a date and time with its offset from UTC, such as 2026-12-21T09:30:00+01:00";
+  const toml::value<toml::date_time>* given = in.node.as_date_time();
+  if (!given)
+    return in.mustBe(kForm, beginsAsDate(in.string().value_or(""))
+                                ? "does that date exist, has it seconds, and is it without quotes?"
+                                : "");
+  const auto& [date, time, offset] = given->get();
+  if (!offset)
+    return in.reject(std::string("'").append(in.key) + "' says no offset from UTC: it must be " + kForm,
+                     "Z in the place of +01:00 is UTC");
+  if (date.year < kFirstYear || date.year > kLastYear)
+    return in.reject(std::string("'").append(in.key) + "' must be in a year from " + std::to_string(kFirstYear) +
+                     " to " + std::to_string(kLastYear) + ", not " + std::to_string(date.year));
+  out = {date.year,      date.month, date.day, time.hour, time.minute, time.second + 1e-9 * time.nanosecond,
+         offset->minutes};
   return true;
 }
 

@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "math/date_time.h"
 #include "math/names.h"
 #include "scene/number_schema.h"
 #include "scene/scene.h"
@@ -70,6 +71,13 @@ struct Seed {
   bool read(const Value& in, std::uint64_t& out) const;
   Json schema() const { return {{"type", "integer"}, {"minimum", 0}}; }
   Json write(std::uint64_t value) const { return value; }
+};
+
+/// A date and time with an offset from UTC, of TOML's own kind.
+struct Date {
+  bool read(const Value& in, DateTime& out) const;
+  Json schema() const { return {{"type", "string"}, {"format", "date-time"}}; }
+  Json write(const DateTime& value) const { return textOf(value); }
 };
 
 /// A number or a string for parseRayCount().

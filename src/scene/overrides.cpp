@@ -57,6 +57,7 @@ class Override {
     for (std::size_t i = 0; parent && i + 1 < segments.size(); ++i) parent = descend(*parent, segments[i]);
     if (!parent) return;
     if (trimmed(std::string_view(text_).substr(equals + 1)).empty()) return takeOut(*parent, segments.back());
+    if (segments.size() == 2 && segments.front().text == "sun") displaceSun(*parent, segments.back().text);
     set(*parent, segments.back(), parseValue(equals));
   }
 
@@ -148,6 +149,16 @@ class Override {
     for (const std::string& name : names) hint += name.empty() ? "" : ", " + name;
     complain(segment.source, std::string("no element '").append(segment.text) + "' in this list", hint);
     return nullptr;
+  }
+
+  /// A sun that is placed by its elevation stands no longer where a date has put it, and the other way about.
+  static void displaceSun(toml::node& sun, std::string_view key) {
+    toml::table* table = sun.as_table();
+    if (!table) return;
+    if (key == "elevation" && table->contains("date"))
+      for (const char* other : {"date", "latitude", "longitude", "refraction"}) table->erase(other);
+    if (key == "date")
+      for (const char* other : {"elevation", "azimuth"}) table->erase(other);
   }
 
   /// Makes the scene as if it had never said this key.

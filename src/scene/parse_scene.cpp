@@ -4,6 +4,7 @@
 #include <toml++/toml.h>
 
 #include <cerrno>
+#include <cmath>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
@@ -51,6 +52,20 @@ void checkSymmetry(const toml::table& root, const Scene& scene, Complaints& comp
                  "leave 'symmetry' out, and what can be used will be");
 }
 
+/// Turns an azimuth of the camera that counts from north into one that counts from the sun. Complains where the sun's
+/// is not known.
+void pointFromSun(const toml::table& root, Scene& scene, Complaints& complaints) {
+  const toml::node* node = root["camera"]["azimuth_from"].node();
+  if (!node || node->value_exact<std::string>() != nameOf(AzimuthFrom::north)) return;
+  if (scene.sun.azimuth) {
+    scene.camera.azimuth = std::remainder(scene.camera.azimuth - *scene.sun.azimuth, 2.0 * kPi);
+    return;
+  }
+  if (root["sun"]["date"]) return;  // whatever is wrong with it has been said
+  complaints.add(placeOf(node->source(), complaints), "where north is depends on the sun, whose azimuth is not known",
+                 "give [sun] a date with latitude and longitude, or an azimuth beside its elevation");
+}
+
 Scene readScene(const toml::table& root, Complaints& complaints) {
   Scene scene;
   TableReader reader(root, "", complaints);
@@ -59,6 +74,7 @@ Scene readScene(const toml::table& root, Complaints& complaints) {
   if (!reader.has("population")) {
     complaints.add({}, "a scene needs at least one population", "begin each population with [[population]]");
   }
+  pointFromSun(root, scene, complaints);
   checkSymmetry(root, scene, complaints);
   addLayerPerPopulation(root, scene, complaints);
   checkLayers(root, scene, complaints);

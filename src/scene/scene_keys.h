@@ -32,9 +32,29 @@ void visitKeys(Visitor& v, SpectrumKeys& s) {
         "Temperature of a black body, kelvin; instead of lines.");
 }
 
+/// The [sun] as its keys say it; sun_kind.cpp makes SunSettings of it.
+struct SunKeys {
+  SunSettings sun;
+  std::optional<DateTime> date = std::nullopt;
+  std::optional<double> latitude = std::nullopt, longitude = std::nullopt;  // rad
+  std::optional<bool> refraction = std::nullopt;
+};
+
 template <class Visitor>
-void visitKeys(Visitor& v, SunSettings& sun) {
+void visitKeys(Visitor& v, SunKeys& keys) {
+  SunSettings& sun = keys.sun;
   v.key("elevation", kinds::Angle{{-90, 90}}, sun.elevation, "Elevation of the sun above the horizon, degrees.");
+  v.key("azimuth", kinds::Optional{kinds::Angle{{-360, 360}}}, sun.azimuth,
+        "Azimuth of the sun from north, degrees, east 90. Only cameras whose azimuth_from is \"north\" ask for it.");
+  v.key("date", kinds::Optional{kinds::Date{}}, keys.date,
+        "Date and time with the offset from UTC, such as 2026-12-21T09:30:00+01:00; with latitude and longitude in "
+        "the place of elevation and azimuth.");
+  v.key("latitude", kinds::Optional{kinds::Angle{{-90, 90}}}, keys.latitude,
+        "Latitude of the observer, degrees, north positive.");
+  v.key("longitude", kinds::Optional{kinds::Angle{{-180, 180}}}, keys.longitude,
+        "Longitude of the observer, degrees, east positive.");
+  v.key("refraction", kinds::Optional{kinds::Flag{}}, keys.refraction,
+        "Whether the sun of a date stands where the air's refraction shows it; true when left out.");
   v.key("diameter", kinds::Angle{{0, 10}}, sun.diameter, "Diameter of the sun's disc, degrees; 0 is a point sun.");
   v.key("spectrum", kinds::Spectrum{}, sun.spectrum,
         "Sunlight: \"sun\" (extraterrestrial), \"sun-am1.5\" (through 1.5 atmospheres), \"equal\" energy, an "
@@ -206,7 +226,7 @@ void visitKeys(Visitor& v, ReconSettings& r) {
 
 template <class Visitor>
 void visitKeys(Visitor& v, Scene& scene) {
-  v.key("sun", kinds::Table<SunSettings>{"[sun]"}, scene.sun, "The source of light.");
+  v.key("sun", kinds::SunTable{}, scene.sun, "The source of light.");
   v.key("ice", kinds::Table<IceSettings>{"[ice]"}, scene.ice, "What the crystals are made of.");
   v.key("population", kinds::Populations{}, scene.populations, "The crystals: at least one population.");
   std::optional<LayersBy> layersBy;  // made into layers by addLayerPerPopulation()

@@ -56,6 +56,13 @@ struct Table {
   Json write(const T&) const { return {}; }
 };
 
+/// [sun]; where it stands is said by an elevation, or by a date and a place.
+struct SunTable {
+  bool read(const Value& in, SunSettings& out) const;
+  Json schema() const;
+  Json write(const SunSettings&) const { return {}; }
+};
+
 /// [camera]; fields of view are held against the projection.
 struct CameraTable {
   bool read(const Value& in, CameraSettings& out) const;

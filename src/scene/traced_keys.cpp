@@ -47,11 +47,12 @@ std::string textOf(const std::variant<Distributions...>& distribution) {
 class KeyLister {
  public:
   void sun(const SunSettings& settings) {
-    const auto& [elevation, diameter, spectrum, visible] = settings;
+    const auto& [elevation, diameter, spectrum, visible, azimuth] = settings;
     put("sun.elevation", digitsOf(elevation));
     put("sun.diameter", digitsOf(diameter));
     std::visit([this](const auto& own) { light(own); }, spectrum);
     static_cast<void>(visible);  // drawn afterwards
+    static_cast<void>(azimuth);  // all azimuths count from the sun
   }
 
   void ice(const IceSettings& settings) {

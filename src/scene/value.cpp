@@ -16,7 +16,8 @@ std::string given(const toml::node& node) {
   if (const auto flag = node.value_exact<bool>()) return *flag ? "true" : "false";
   if (node.is_table()) return "a table";
   if (node.is_array()) return "a list";
-  return "a date or time";
+  if (node.is_date()) return "a date alone";
+  return node.is_time() ? "a time alone" : "a date and time";
 }
 
 }  // namespace

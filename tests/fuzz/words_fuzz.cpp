@@ -16,6 +16,7 @@
 #include "cli/say.h"
 #include "cli/view_options.h"
 #include "input_file.h"
+#include "math/duration_text.h"
 #include "scene/key_range.h"
 #include "scene/utf8.h"
 
@@ -133,7 +134,7 @@ void useView(cli::ViewOptions& options) {
 /// A word where a number of some kind is expected.
 void readNumber(const std::string& word) {
   cli::commaSeparated(word);
-  if (const auto seconds = cli::secondsIn(word)) cli::durationText(*seconds);
+  if (const auto seconds = secondsIn(word)) cli::durationText(*seconds);
   // The validators of options change the words that they accept.
   for (const CLI::Validator& kind : {cli::number(-1e9, 1e9), cli::wholeNumber(), cli::durationInSeconds(0.0, 1e9)}) {
     std::string text = word;

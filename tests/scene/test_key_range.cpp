@@ -50,6 +50,40 @@ TEST_CASE("whole numbers such as seeds and numbers of rays keep all their digits
   CHECK(valuesOf("trace.rays=1e6:3e6:1e6") == Values{"1000000", "2000000", "3000000"});
 }
 
+TEST_CASE("dates run by steps of time on the clock of the first, and lists keep their own clocks") {
+  CHECK(valuesOf("sun.date=2026-12-21T09:00:00+01:00:2026-12-21T08:40:00Z:20min") ==
+        Values{"2026-12-21T09:00:00+01:00", "2026-12-21T09:20:00+01:00", "2026-12-21T09:40:00+01:00"});
+  CHECK(valuesOf("k=2024-02-29T00:30Z:2024-02-28T00:00Z:-12h") ==
+        Values{"2024-02-29T00:30:00Z", "2024-02-28T12:30:00Z", "2024-02-28T00:30:00Z"});
+  CHECK(valuesOf("k=2026-12-21T09:00:00Z:2026-12-21T09:00:01Z:0.1s").size() == 11);
+  CHECK(valuesOf("k=2026-12-21T09:00:00Z:2026-12-21T09:00:01Z:0.1s")[7] == "2026-12-21T09:00:00.7Z");
+  CHECK(valuesOf("k=2026-01-01T12:00:00Z:2026-12-31T12:00:00Z:1d").size() == 365);
+  CHECK(valuesOf("k= 2026-12-21T09:00:00+01:00 , 2026-06-21t09:00-05:30") ==
+        Values{"2026-12-21T09:00:00+01:00", "2026-06-21T09:00:00-05:30"});
+  CHECK(valuesOf("k=2026-12-21T09:00:00Z") == Values{"2026-12-21T09:00:00Z"});
+}
+
+TEST_CASE("dates that do not exist and steps that are no times are refused with what was meant") {
+  const struct {
+    const char *text, *says;
+  } cases[] = {{"k=2026-02-30T09:00:00Z", "'2026-02-30T09:00:00Z' is no date"},
+               {"k=2026-02-20T09:00:00", "no date and time that exists, with its offset"},
+               {"k=2026-02-20T09:00:00Z,2026-02-29T09:00:00Z", "'2026-02-29T09:00:00Z' is no date"},
+               {"k=2026-02-20T09:00:00Z,", "'' is no date"},
+               {"k=2026-02-20T09:00:00Z:2026-02-21T09:00:00Z", "a range is from:to:step"},
+               {"k=2026-02-20T09:00:00Z:2026-02-21T09:00:00Z:1h:2h", "'1h:2h' is no step of time"},
+               {"k=2026-02-20T09:00:00Z:2026-02-21T09:00:00Z:1month", "'1month' is no step of time"},
+               {"k=2026-02-20T09:00:00Z:2026-02-21T09:00:00Z:0s", "the step is 0"},
+               {"k=2026-02-20T09:00:00Z:2026-02-21T09:00:00Z:-1h", "lead away from 2026-02-21T09:00:00Z"},
+               {"k=2026-02-20T09:00:00Z:2027-02-21T09:00:00Z:1s", "more than 100000 values"},
+               {"k=2026-02-20T09:00:00Z:2026-02-20T09:00:00.000001Z:0.0000001s", "below a microsecond"},
+               {"k=2026-02-20T09:00:00Z;2026-02-21T09:00:00Z", "is no date"}};
+  for (const auto& [text, says] : cases) {
+    const std::string error = refusal([&, range = text] { parseKeyRange(range); });
+    CHECK_MESSAGE(error.find(says) != std::string::npos, text << " said: " << error);
+  }
+}
+
 TEST_CASE("what is no range is refused with what was meant") {
   const struct {
     const char *text, *says;

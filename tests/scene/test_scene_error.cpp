@@ -51,7 +51,7 @@ TEST_CASE("a value of the wrong kind is told with what was expected") {
   CHECK(wrong("[sun]\nvisible = 1") == Lines{"2:11 'visible' must be true or false, not 1"});
   CHECK(wrong("sun = 3") == Lines{"1:7 'sun' must be a table, not 3"});
   CHECK(wrong("[[sun]]") == Lines{"1:1 'sun' must be a table, not a list"});
-  CHECK(wrong("camera = 2020-01-01") == Lines{"1:10 'camera' must be a table, not a date or time"});
+  CHECK(wrong("camera = 2020-01-01") == Lines{"1:10 'camera' must be a table, not a date alone"});
   CHECK(wrong("[trace]\nengine = true") == Lines{"2:10 'engine' must be one of \"embree\", \"embree-robust\", "
                                                  "\"planes\", \"auto\", \"integral\", \"mixed\", not true"});
   CHECK(wrong("[trace]\nseed = 1.5") == Lines{"2:8 'seed' must be an integer, at least 0, not 1.5"});
@@ -172,7 +172,7 @@ TEST_CASE("all errors are told at once, sorted by position, each with its line a
     CHECK(std::string(e.what()) == R"(scenes/x.toml:2:1: error: unknown key 'elevatoin' in [sun]
     2 | elevatoin = 20
       | ^~~~~~~~~
-      did you mean 'elevation'? accepted: diameter, elevation, spectrum, visible
+      did you mean 'elevation'? accepted: azimuth, date, diameter, elevation, latitude, longitude, refraction, spectrum, visible
 scenes/x.toml:3:13: error: 'diameter' must be a number from 0 to 10 degrees, not the string "é"
     3 |  diameter = 'é'
       |             ^~~

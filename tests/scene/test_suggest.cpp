@@ -38,9 +38,13 @@ TEST_CASE("the closest name is suggested only where it is within a third of its 
 
 TEST_CASE("an unknown key is answered with the closest key, the accepted ones and the table it belongs to") {
   CHECK(errorsOf("[sun]\nelevatoin = 1\n[[population]]").at(0).hint ==
-        "did you mean 'elevation'? accepted: diameter, elevation, spectrum, visible");
-  CHECK(errorsOf("[sun]\nrays = 1\n[[population]]").at(0).hint ==
-        "it belongs to [trace]; accepted: diameter, elevation, spectrum, visible");
+        "did you mean 'elevation'? accepted: azimuth, date, diameter, elevation, latitude, longitude, refraction, "
+        "spectrum, "
+        "visible");
+  CHECK(
+      errorsOf("[sun]\nrays = 1\n[[population]]").at(0).hint ==
+      "it belongs to [trace]; accepted: azimuth, date, diameter, elevation, latitude, longitude, refraction, spectrum, "
+      "visible");
   CHECK(errorsOf("elevation = 1\n[[population]]").at(0).hint ==
         "it belongs to [sun] or [camera]; accepted: camera, ice, layer, layers, population, recon, sun, trace");
   CHECK(errorsOf("[camera]\ntilt = 1\n[[population]]")
