@@ -56,9 +56,10 @@ std::vector<std::vector<std::string>> valuesOf(const SweepOptions& options) {
     std::vector<KeyRange> ranges;
     for (const std::string& key : options.keys) ranges.push_back(parseKeyRange(key));
     for (const KeyRange& range : ranges) requireSweepable(range.key, options.run);
+    std::vector<std::vector<std::string>> frames = sweepFrames(ranges, options.product);
     if (std::count_if(ranges.begin(), ranges.end(), [](const KeyRange& range) { return placesSun(range.key); }) > 1)
       throw std::invalid_argument("the sun is placed twice, by sun.elevation and by sun.date");
-    return sweepFrames(ranges, options.product);
+    return frames;
   } catch (const std::invalid_argument& error) {
     throw CLI::ValidationError("sweep", error.what());
   }

@@ -5,9 +5,11 @@
 #include <set>
 #include <vector>
 
+#include "picture/exr.h"
 #include "picture/photograph.h"
 #include "shell.h"
 
+using namespace parhelion;
 using namespace parhelion::test;
 
 namespace {
@@ -67,6 +69,28 @@ TEST_CASE("the frames of a sweep are the pictures that render makes, bit by bit"
                             std::to_string(10 + i) + " -D population.plates.tilt=" + std::to_string(3 - i))
                 .exit == 0);
     CHECK(readFile(folder / (name + ".exr")) == readFile(folder / "r.exr"));
+  }
+}
+
+TEST_CASE("a sweep steps through the hours of a day, each frame with the sun of its moment") {
+  WithScene folder;
+  const std::string place = " -D sun.latitude=47.42 -D sun.longitude=10.98 ";
+  REQUIRE(run(folder, "parhelion sweep s.toml sun.date=2026-12-21T09:30:00+01:00:2026-12-21T11:30:00+01:00:2h" + place +
+                          "-o f_%d.exr --rays 1k --quiet")
+              .exit == 0);
+  CHECK(framesIn(folder) == 2);
+  for (const auto& [frame, date] :
+       {std::pair{"f_0.exr", "2026-12-21T09:30:00+01:00"}, {"f_1.exr", "2026-12-21T11:30:00+01:00"}}) {
+    CHECK(run(folder, std::string("parhelion info --scene ") + frame).out.find(std::string("date = ") + date) !=
+          std::string::npos);
+    const std::string told = run(folder, "parhelion check s.toml -D sun.date=" + std::string(date) + place).out;
+    CHECK(told.find("s.toml: ok, the sun at elevation ") == 0);
+    const std::string elevation =
+        told.substr(told.find("elevation ") + 10, told.find("°") - told.find("elevation ") - 10);
+    CHECK(run(folder, std::string("parhelion info ") + frame).out.find("elevation " + elevation + "°") !=
+          std::string::npos);
+    REQUIRE(run(folder, "parhelion render s.toml --rays 1k --quiet -o r.exr -D sun.elevation=" + elevation).exit == 0);
+    CHECK(*readExr(folder / "r.exr").image.find("G") == *readExr(folder / frame).image.find("G"));
   }
 }
 
@@ -265,6 +289,10 @@ TEST_CASE("mistakes of a sweep are told before anything is rendered") {
       {"camera.resolution=10,20 -o f_%d.exr", "camera.resolution is no single number"},
       {"camera.resolution.0=10,20 -o f_%d.exr --resolution 5x5", "camera.resolution.0 is swept"},
       {"sun.elevation=1:2:1 -o f_%d.exr -D sun.elevation=3", "sun.elevation is swept"},
+      {"sun.date=2026-12-21T09:00:00Z -o f_%d.exr -D sun.elevation=3", "sun.date is swept"},
+      {"sun.date=2026-12-21T09:00:00Z sun.elevation=3 -o f_%d.exr", "placed twice"},
+      {"sun.date=2026-12-21T09:00:00Z -o f_%d.exr", "'latitude' is missing"},
+      {"sun.date=2026-12-32T09:00:00Z -o f_%d.exr", "is no date and time that exists"},
       {"sun.elevation=1:2:1 -o f_%d.exr --contact-sheet f_1.png", "written over"},
       {"sun.elevation=1:2:1 -o f_%d.exr --contact-sheet all.exr", "name of a .png"},
       {"sun.elevation=1:2:1 -o f_%d.exr --first -1", "--first"},

@@ -189,7 +189,7 @@ TEST_CASE("the air lifts the sun as Bennett's formula has it, and never bends on
   const auto bennett = [](double seen) { return 1.0 / std::tan(radians(seen + 7.31 / (seen + 4.4))); };
   for (const double bare : {-0.57, 0.0, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 45.0, 80.0}) {
     const double lift = degrees(refractionOfAir(radians(bare)));
-    CHECK_MESSAGE(60.0 * lift == doctest::Approx(bennett(bare + lift)).epsilon(0.0).scale(1.0).epsilon(0.1), bare);
+    CHECK_MESSAGE(std::abs(60.0 * lift - bennett(bare + lift)) < 0.1, bare);
   }
   CHECK(60.0 * degrees(refractionOfAir(radians(-0.575))) == doctest::Approx(34.5).epsilon(0.005));
   double below = -90.0 + degrees(refractionOfAir(radians(-90.0)));
