@@ -20,6 +20,7 @@
 #include <fstream>
 #include <span>
 
+#include "math/number_text.h"
 #include "picture/colour_space.h"
 #include "picture/exr_checksum.h"
 #include "picture/exr_stream.h"
@@ -150,6 +151,12 @@ void convertToRec709(const std::filesystem::path& path, ExrFile& file) {
 }
 
 }  // namespace
+
+std::optional<double> whiteLuminanceOf(const ExrAttributes& attributes) {
+  const auto white = attributes.find(kWhiteLuminanceKey);
+  const std::optional<double> value = white == attributes.end() ? std::nullopt : numberIn(white->second);
+  return value && *value > 0.0 ? value : std::nullopt;
+}
 
 void requireSourceDate() { captureDate(); }
 

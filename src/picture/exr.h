@@ -18,6 +18,12 @@ namespace parhelion {
 /// "parhelion:scene" and so on. Numbers are text too: EXR has no 64-bit integers.
 using ExrAttributes = std::map<std::string, std::string>;
 
+/// Key of the luminance, cd/m^2, that R = G = B = 1 stands for; in the file it is OpenEXR's own number of that name.
+inline constexpr const char* kWhiteLuminanceKey = "whiteLuminance";
+
+/// That number, if there is one and it is above 0.
+std::optional<double> whiteLuminanceOf(const ExrAttributes& attributes);
+
 /// The picture a viewer shows, of which a file may hold a part only, or more.
 struct DisplayWindow {
   int left = 0;  // pixels, of its upper left corner in the picture of the file

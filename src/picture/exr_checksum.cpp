@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "math/checksum.h"
+#include "math/range.h"
 #include "picture/exr_stream.h"
 #include "picture/limits.h"
 #include "picture/meaning.h"
@@ -98,6 +99,7 @@ std::string pictureChecksum(const Imf::Header& header, const ChannelChecksums& c
   all.add(lineOf("displayWindow", header.displayWindow()));
   if (Imf::hasChromaticities(header)) all.add(lineOf(Imf::chromaticities(header)));
   if (Imf::hasEnvmap(header)) all.add("envmap " + std::to_string(Imf::envmap(header)) + "\n");
+  if (Imf::hasWhiteLuminance(header)) all.add("whiteLuminance " + formatNumber(Imf::whiteLuminance(header)) + "\n");
   for (const auto& [name, checksum] : channels) all.add("channel " + name + " " + hexOf(checksum) + "\n");
   return hexOf(all.value());
 }

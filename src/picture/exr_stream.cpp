@@ -4,6 +4,7 @@
 #include <ImfBoxAttribute.h>
 #include <ImfChannelList.h>
 #include <ImfPartType.h>
+#include <ImfStandardAttributes.h>
 #include <ImfStringAttribute.h>
 
 #include <algorithm>
@@ -11,9 +12,11 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
+#include <optional>
 #include <string_view>
 #include <system_error>
 
+#include "math/range.h"
 #include "picture/file_reason.h"
 #include "picture/limits.h"
 
@@ -224,7 +227,10 @@ std::uint64_t rowMemory(const Imf::Header& header) {
 }
 
 void insertText(Imf::Header& header, const ExrAttributes& attributes) {
-  for (const auto& [name, value] : attributes) header.insert(name, Imf::StringAttribute(value));
+  for (const auto& [name, value] : attributes)
+    if (name != kWhiteLuminanceKey) header.insert(name, Imf::StringAttribute(value));
+  if (const std::optional<double> white = whiteLuminanceOf(attributes))
+    Imf::addWhiteLuminance(header, static_cast<float>(*white));
 }
 
 ExrAttributes textOf(const Imf::Header& header) {
@@ -234,6 +240,7 @@ ExrAttributes textOf(const Imf::Header& header) {
     if (name == "type" || name == "name") continue;  // EXR's own, of the part
     if (const auto* text = dynamic_cast<const Imf::StringAttribute*>(&a.attribute())) attributes[name] = text->value();
   }
+  if (Imf::hasWhiteLuminance(header)) attributes[kWhiteLuminanceKey] = formatNumber(Imf::whiteLuminance(header));
   return attributes;
 }
 

@@ -77,6 +77,7 @@ PhotoHalo readHalo(const std::filesystem::path& path, const PhotoCamera& camera,
   requireSky(sky, path.string());
   requireSameSun(loaded.scene.sun.elevation, camera.sunElevation, path.string());
   ExrAttributes attributes = sky.attributes;
+  attributes.erase(kWhiteLuminanceKey);  // of the sky's light, not of the photograph's
   attributes[kSceneKey] = sceneIn(sky.attributes, path.string(), {cameraOverride(camera.camera)}).text;
   return {HaloLookup(sky.image, loaded.scene.camera, camera.camera), std::move(attributes)};
 }

@@ -107,6 +107,22 @@ TEST_CASE("a picture comes back from its file as it was, with its attributes") {
   CHECK(directory.names().size() == 1);
 }
 
+TEST_CASE("the luminance of white is a number of OpenEXR's own in the file, and comes back as text") {
+  const TemporaryDirectory directory;
+  const std::filesystem::path path = directory / "a.exr";
+  writeBeautyExr(path, picture(3, 2), {{"software", "s"}, {kWhiteLuminanceKey, "0.25"}});
+  {
+    const Imf::InputFile file(path.c_str());
+    REQUIRE(Imf::hasWhiteLuminance(file.header()));
+    CHECK(Imf::whiteLuminance(file.header()) == 0.25F);
+  }
+  CHECK(whiteLuminanceOf(readExr(path).attributes) == 0.25);
+  CHECK(whiteLuminanceOf(readExrAttributes(path)) == 0.25);
+  writeBeautyExr(path, picture(3, 2), {{"software", "s"}});
+  CHECK_FALSE(whiteLuminanceOf(readExr(path).attributes));
+  for (const char* none : {"0", "-1", "nan", "bright", ""}) CHECK_FALSE(whiteLuminanceOf({{kWhiteLuminanceKey, none}}));
+}
+
 TEST_CASE("a picture's file says Rec.709 and is the same bytes each time, dated by SOURCE_DATE_EPOCH") {
   const TemporaryDirectory directory;
   writeBeautyExr(directory / "a.exr", picture(20, 20), {});
