@@ -114,4 +114,14 @@ SpectralSample Spectrum::sample(double u) const {
   return {wavelength, xyz, xyz.y};
 }
 
+double solarIlluminance(const SpectrumSettings& settings) {
+  constexpr double kLumensPerWatt = 683.002;
+  const auto* continuous = std::get_if<ContinuousSpectrum>(&settings);
+  const bool isAtGround = continuous && continuous->source == ContinuousSpectrum::Source::airMass1_5;
+  const auto& power = isAtGround ? kSunAirMass1_5 : kSunExtraterrestrial;
+  double sum = 0.0;
+  for (std::size_t k = 0; k < power.size(); ++k) sum += power[k] * kObserver1931[k].y;
+  return kLumensPerWatt * sum;
+}
+
 }  // namespace parhelion

@@ -55,6 +55,11 @@ class Spectrum {
   Vec3 white_{1.0};
 };
 
+/// What sunlight of a spectrum brings to a surface that faces the sun above the atmosphere, lx: of "sun-am1.5" what it
+/// brings to the ground. Spectra that are not sunlight count as the sun's own light, which they stand for. Of 683.002
+/// lm/W at the observer's peak.
+double solarIlluminance(const SpectrumSettings& settings);
+
 /// The 1931 observer's response to `wavelength` (nm), linear between the nanometres; 0 outside 360-830 nm.
 Vec3 observer1931(double wavelength);
 

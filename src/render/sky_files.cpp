@@ -8,6 +8,7 @@
 #include "picture/auto_exposure.h"
 #include "picture/png.h"
 #include "render/scene_attributes.h"
+#include "render/slab_light.h"
 #include "sky/camera.h"
 #include "sky/draw_sun.h"
 #include "sky/envmap.h"
@@ -21,8 +22,13 @@ ReconstructedSky developSky(const TracedSky& traced, const LoadedScene& loaded, 
 
 void writeSky(const Output& exr, Image& image, const TallyInfo& info, const LoadedScene& loaded, Gamut gamut) {
   const Camera camera(info.camera);
-  if (loaded.scene.sun.visible) drawUndeviatedSun(image, camera, Sun(loaded.scene.sun), info.undeviatedFraction());
+  const std::optional<SlabLight> slab = slabLightOf(loaded.scene, info.undeviatedFraction());
+  if (slab) slab->apply(image, camera);
+  if (loaded.scene.sun.visible)
+    drawUndeviatedSun(image, camera, Sun(loaded.scene.sun),
+                      slab ? slab->directIlluminance() : info.undeviatedFraction());
   ExrAttributes attributes = sceneAttributes(loaded, info.rayCount());
+  if (slab) attributes[kWhiteLuminanceKey] = "1";
   if (gamut == Gamut::clip) image.changeColours(intoGamut);
   if (gamut != Gamut::exact) attributes[kGamutKey] = nameOf(gamut);
   const Envmap envmap = envmapOf(camera);

@@ -18,9 +18,9 @@ namespace parhelion {
 /// A traced sky, reconstructed as its scene says. `threads` 0: one a processor.
 ReconstructedSky developSky(const TracedSky& traced, const LoadedScene& loaded, int threads);
 
-/// Draws the sun into the image of a tally with that info if the scene makes it visible, and writes it as linear EXR
-/// with the scene inside, its colours as `gamut` says; other than exact ones are noted under kGamutKey. Throws
-/// std::runtime_error.
+/// Of a scene with a cloud turns the image of a tally with that info into cd/m^2, draws the sun into it if the scene
+/// makes it visible, and writes it as linear EXR with the scene inside, its colours as `gamut` says; other than exact
+/// ones are noted under kGamutKey. Throws std::runtime_error.
 void writeSky(const Output& exr, Image& image, const TallyInfo& info, const LoadedScene& loaded,
               Gamut gamut = Gamut::exact);
 

@@ -194,6 +194,7 @@ std::string describeScene(const Scene& scene) {
     const std::string share = formatNumber(100.0 * p.weight / sum) + " % of the surface";
     text += row("population", p.name + ": " + share + "; " + describe(p.shape) + "; " + describe(p.orientation));
   }
+  if (scene.cloud) text += row("cloud", "optical depth " + plain(scene.cloud->opticalDepth) + ", light scattered once");
   for (const LayerSettings& layer : scene.trace.paths.layers) text += row("layer", describe(layer));
   text += row("camera", describe(scene.camera)) + row("trace", describe(scene.trace));
   return text + row("recon", std::string(nameOf(scene.recon)));

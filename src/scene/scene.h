@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "crystal/population_settings.h"
 #include "optics/light_settings.h"
 #include "recon/recon_settings.h"
 #include "sky/camera_settings.h"
+#include "trace/slab_settings.h"
 #include "trace/trace_settings.h"
 
 namespace parhelion {
@@ -16,6 +18,7 @@ struct Scene {
   SunSettings sun;
   IceSettings ice;
   std::vector<PopulationSettings> populations;  // at least one
+  std::optional<SlabSettings> cloud;            // none: single crystals, in units of the light that they intercept
   CameraSettings camera;
   TraceSettings trace;
   ReconSettings recon;

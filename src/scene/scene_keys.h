@@ -224,11 +224,28 @@ void visitKeys(Visitor& v, ReconSettings& r) {
         "marvasti: factor of the first picture and of each correction; 1 when left out.");
 }
 
+/// [cloud] as its keys say it.
+struct SlabKeys {
+  std::optional<double> opticalDepth = std::nullopt;
+  int orders = 1;
+};
+
+template <class Visitor>
+void visitKeys(Visitor& v, SlabKeys& slab) {
+  v.key("optical_depth", kinds::Optional{kinds::Number{{0, 1e4, true}}}, slab.opticalDepth,
+        "Vertical depth of the cloud by the shadows of its crystals. Pictures are in cd/m2 then.");
+  v.key("orders", kinds::WithoutDefault{kinds::WholeNumber{1, 1}}, slab.orders,
+        "How often light may be scattered: 1, as yet.");
+}
+
 template <class Visitor>
 void visitKeys(Visitor& v, Scene& scene) {
   v.key("sun", kinds::SunTable{}, scene.sun, "The source of light.");
   v.key("ice", kinds::Table<IceSettings>{"[ice]"}, scene.ice, "What the crystals are made of.");
   v.key("population", kinds::Populations{}, scene.populations, "The crystals: at least one population.");
+  v.key(
+      "cloud", kinds::Slab{}, scene.cloud,
+      "The cloud that the crystals are in. Left out: single crystals, whose light is in units of what they intercept.");
   std::optional<LayersBy> layersBy;  // made into layers by addLayerPerPopulation()
   v.key("layers", kinds::Optional{kinds::Choice<LayersBy>{}}, layersBy,
         "\"populations\": a layer for each population, in the place of [[layer]].");

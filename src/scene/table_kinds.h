@@ -3,6 +3,7 @@
 
 // Kinds (kinds.h) whose values are tables with keys of their own.
 
+#include <optional>
 #include <string_view>
 #include <variant>
 #include <vector>
@@ -75,6 +76,13 @@ struct Recon {
   bool read(const Value& in, ReconSettings& out) const;
   Json schema() const;
   Json write(const ReconSettings&) const { return {}; }
+};
+
+/// [cloud], whose depth must be said.
+struct Slab {
+  bool read(const Value& in, std::optional<SlabSettings>& out) const;
+  Json schema() const;
+  Json write(const std::optional<SlabSettings>&) const { return {}; }
 };
 
 /// The list of [[population]] tables.

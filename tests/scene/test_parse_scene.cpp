@@ -234,3 +234,12 @@ TEST_CASE("ice may be a mixture of indices") {
   CHECK(errorsOf(std::string(kPopulation) + "[ice]\nindex = [1.31, 0.9]\n").size() == 1);
   CHECK(errorsOf(std::string(kPopulation) + "[ice]\nindex = []\n").size() == 1);
 }
+
+TEST_CASE("a cloud has a depth, and light that is scattered once") {
+  const auto cloudOf = [](const std::string& keys) { return sceneOf("[[population]]\n[cloud]\n" + keys + "\n").cloud; };
+  CHECK_FALSE(sceneOf("[[population]]\n").cloud);
+  CHECK(cloudOf("optical_depth = 0.5")->opticalDepth == 0.5);
+  CHECK(cloudOf("optical_depth = 2\norders = 1")->opticalDepth == 2.0);
+  for (const char* wrong : {"optical_depth = -1", "optical_depth = 0", "orders = 1", "optical_depth = 1\norders = 2"})
+    CHECK_THROWS_AS(cloudOf(wrong), SceneError);
+}

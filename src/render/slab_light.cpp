@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/slab_light.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include "math/portable.h"
+#include "optics/spectrum.h"
+#include "optics/sun.h"
+#include "parallel/loops.h"
+#include "sky/radiance.h"
+
+namespace parhelion {
+
+namespace {
+
+// Light along the horizon has gone through a cloud without end: the sine of the elevation is never taken for less.
+constexpr double kLevel = 1e-6;
+// Pixels within this of the horizon (rad), or so many times the size that pixels have on the axis, are looked at by so
+// many points to a side.
+constexpr double kNearHorizon = 0.02, kWide = 4.0;
+constexpr int kPoints = 8;
+
+/// (1 - exp(-x)) / x for x >= 0.
+double meanThrough(double x) { return x < 1e-5 ? 1.0 - 0.5 * x : (1.0 - portable::exp(-x)) / x; }
+
+bool isError(std::string_view channel) { return channel == kVarianceChannel; }
+
+}  // namespace
+
+SlabLight::SlabLight(const Scene& scene, double undeviated)
+    : extinction_(scene.sun, scene.ice, scene.populations),
+      opticalDepth_(scene.cloud->opticalDepth),
+      illuminance_(solarIlluminance(scene.sun.spectrum)),
+      toSun_(Sun(scene.sun).toCentre()),
+      sunShadow_(extinction_.at(toSun_).shadow),
+      fromSun_(opticalDepth_ * (1.0 - undeviated) * sunShadow_ / std::max(toSun_.z, kLevel)) {}
+
+double SlabLight::directIlluminance() const { return toSun_.z > 0.0 ? illuminance_ * portable::exp(-fromSun_) : 0.0; }
+
+double SlabLight::luminanceAt(const Vec3& toSky) const {
+  if (!(toSun_.z > 0.0)) return 0.0;
+  const double rise = std::max(std::abs(toSky.z), kLevel);
+  const Extinction::Crystals between = extinction_.at(toSky);
+  const double toObserver = opticalDepth_ * (1.0 - between.undeviated) * between.shadow / rise;
+  const double through =
+      toSky.z > 0.0 ? portable::exp(-std::min(fromSun_, toObserver)) * meanThrough(std::abs(toObserver - fromSun_))
+                    : meanThrough(fromSun_ + toObserver);
+  return illuminance_ * opticalDepth_ * sunShadow_ * through / rise;
+}
+
+double SlabLight::meanOver(const Camera& camera, int x, int y) const {
+  const auto middle = camera.toSky({x + 0.5, y + 0.5});
+  if (middle && std::abs(middle->z) > std::max(kNearHorizon, kWide / camera.focalLength())) return luminanceAt(*middle);
+  double sum = 0.0;
+  int seen = 0;
+  for (int j = 0; j < kPoints; ++j)
+    for (int i = 0; i < kPoints; ++i)
+      if (const auto toSky = camera.toSky({x + (i + 0.5) / kPoints, y + (j + 0.5) / kPoints})) {
+        sum += luminanceAt(*toSky);
+        ++seen;
+      }
+  return seen > 0 ? sum / seen : 0.0;
+}
+
+void SlabLight::apply(Image& image, const Camera& camera) const {
+  forRows(image.height, [&](int y) {
+    for (int x = 0; x < image.width; ++x) {
+      const double luminance = meanOver(camera, x, y);
+      const std::size_t pixel =
+          static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x);
+      for (Channel& channel : image.channels) {
+        const double factor = isError(channel.name) ? luminance * luminance : luminance;
+        channel.samples[pixel] = static_cast<float>(factor * static_cast<double>(channel.samples[pixel]));
+      }
+    }
+  });
+}
+
+std::optional<SlabLight> slabLightOf(const Scene& scene, double undeviated) {
+  if (!scene.cloud) return std::nullopt;
+  return SlabLight(scene, undeviated);
+}
+
+}  // namespace parhelion

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+#include "picture/image.h"
+#include "scene/scene.h"
+#include "sky/camera.h"
+#include "trace/extinction.h"
+
+namespace parhelion {
+
+/// What a cloud of some depth makes of the light of single crystals, in absolute units.
+///
+/// Of light that was scattered once: sunlight gets to a crystal through what lies above, and the crystal's light to the
+/// observer through what lies between. Above the horizon the observer sees the cloud from below, and below the horizon
+/// from above. Light that passes undeviated through parallel faces goes on and is not scattered.
+class SlabLight {
+ public:
+  /// Of a scene that has a cloud, where that share of sunlight on crystals passes undeviated, as many rays have found.
+  /// Throws as Extinction does.
+  SlabLight(const Scene& scene, double undeviated);
+
+  /// Sunlight behind the cloud on a surface that faces it, lx: what got through without being scattered.
+  double directIlluminance() const;
+
+  /// What a radiance per unit of intercepted light (1/sr) amounts to in a direction of the sky, cd/m^2. 0 where the sun
+  /// is not above the horizon.
+  double luminanceAt(const Vec3& toSky) const;
+
+  /// Turns a picture in 1/sr into one in cd/m^2, all layers and errors with it.
+  void apply(Image& image, const Camera& camera) const;
+
+ private:
+  double meanOver(const Camera& camera, int x, int y) const;
+
+  Extinction extinction_;
+  double opticalDepth_, illuminance_;
+  Vec3 toSun_;
+  double sunShadow_;  // of crystals in sunlight, as Extinction has it
+  double fromSun_;    // depth that sunlight meets
+};
+
+/// None for a scene without a cloud.
+std::optional<SlabLight> slabLightOf(const Scene& scene, double undeviated);
+
+}  // namespace parhelion

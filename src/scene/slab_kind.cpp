@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/scene_keys.h"
+
+namespace parhelion {
+
+bool kinds::Slab::read(const Value& in, std::optional<SlabSettings>& out) const {
+  const toml::table* table = in.node.as_table();
+  if (!table) return in.mustBe("a table");
+  TableReader reader(*table, "[cloud]", in.complaints);
+  SlabKeys keys;
+  visitKeys(reader, keys);
+  if (!reader.rejectUnknown() || reader.rejected("optical_depth")) return false;
+  if (!keys.opticalDepth) {
+    in.complaints.add(placeOf(in.node.source(), in.complaints), "[cloud] needs an 'optical_depth'",
+                      "the vertical one, by the shadows of the crystals: optical_depth = 0.3");
+    return false;
+  }
+  out = SlabSettings{*keys.opticalDepth};
+  return true;
+}
+
+Json kinds::Slab::schema() const { return tableSchema<SlabKeys>(); }
+
+}  // namespace parhelion

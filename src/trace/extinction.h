@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "crystal/population_settings.h"
+#include "math/conventions.h"
+#include "optics/light_settings.h"
+
+namespace parhelion {
+
+/// What crystals take from light by the direction it comes from: oriented crystals stand in the way of light from some
+/// directions more than of light from others.
+///
+/// Tabulated over half the sky, and linear between; the same for opposite directions. Shadows are right to a
+/// thousandth. What passes undeviated is found by a few thousand rays for each direction: right to a hundredth of all
+/// light.
+class Extinction {
+ public:
+  /// Of crystals as light of that sun's spectrum meets them. In parallel; the same bits for any number of threads.
+  /// Throws std::invalid_argument when no population has any weight.
+  Extinction(const SunSettings& sun, const IceSettings& ice, std::span<const PopulationSettings> populations);
+
+  struct Crystals {
+    double shadow;      // their mean, in units of that of light from the zenith
+    double undeviated;  // how much of what meets them goes on as if they were not there, through parallel faces
+  };
+
+  /// What light from a direction meets.
+  Crystals at(const Vec3& toLight) const;
+
+ private:
+  /// A direction of the upper half of the sky: the root of its elevation over a right angle, and its azimuth in turns.
+  struct Place {
+    double root, turns;
+  };
+
+  /// Numbers by direction: rows of elevations, from the horizon to the zenith, and columns of azimuths.
+  class Table {
+   public:
+    Table(int rows, int columns) : rows_(rows), columns_(columns), numbers_(static_cast<std::size_t>(rows * columns)) {}
+    std::size_t size() const { return numbers_.size(); }
+    Vec3 directionOf(std::size_t k) const;  // azimuth 0 but for columns
+    double& operator[](std::size_t k) { return numbers_[k]; }
+    double at(const Place& place) const;
+
+   private:
+    double node(int row, int column) const {
+      return numbers_[static_cast<std::size_t>(row * columns_ + column % columns_)];
+    }
+    int rows_, columns_;
+    std::vector<double> numbers_;
+  };
+
+  struct Kind {
+    double weight;
+    Table shadow, undeviated;
+  };
+  static Kind kindOf(const SunSettings& sun, const IceSettings& ice, const PopulationSettings& population);
+
+  std::vector<Kind> kinds_;
+  double zenith_ = 1.0;
+};
+
+}  // namespace parhelion
