@@ -33,6 +33,7 @@ constexpr std::uint8_t kDotsUnderLines = 153;  // sRGB grey of 60 %, on which li
 /// A view in the making, and what there is to say of it.
 struct View {
   Preview picture;
+  std::optional<Display> deep = std::nullopt;  // in its place, where more than 8 bits are asked for
   std::vector<std::string> remarks;
 };
 
@@ -140,7 +141,7 @@ View filtered(const ViewInput& input, const ViewOptions& options) {
           "--symmetry mirror for dots");
     return view;
   }
-  Shown shown = show(input, options.exposure);
+  Shown shown = show(input, options.lightDisplay());
   if (shown.exposure) view.remarks.push_back(text("exposure %+.2f stops", *shown.exposure));
   if (!options.unsharp.empty()) unsharp(shown.display, options.unsharpSettings());
   if (options.redMinusBlue) {
@@ -148,7 +149,10 @@ View filtered(const ViewInput& input, const ViewOptions& options) {
     view.remarks.push_back(text("gain %.4g about %.4g", difference.gain, difference.centre));
     shown.display = std::move(difference.picture);
   }
-  view.picture = quantised(shown.display);
+  if (options.bits > 8)
+    view.deep = std::move(shown.display);
+  else
+    view.picture = quantised(shown.display);
   return view;
 }
 
@@ -179,21 +183,35 @@ View difference(const ViewInput& one, const ViewInput& other, const ViewOptions&
   };
   try {
     const LightDifference difference = minus(light(one), light(other), options.gain);
-    return {quantised(difference.picture), {text("gain %.4g", difference.gain)}};
+    return {quantised(difference.picture), std::nullopt, {text("gain %.4g", difference.gain)}};
   } catch (const std::invalid_argument& error) {
     throw CLI::ValidationError("--minus", one.path + " and " + other.path + ": " + error.what());
   }
 }
 
+template <class Sample>
+std::vector<Sample> encoded(const Image& light) {
+  std::vector<Sample> samples(3 * light.pixels());
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const float linear = (*light.rgb()[i % 3])[i / 3];
+    if constexpr (sizeof(Sample) == 1)
+      samples[i] = toSrgb8(linear);
+    else
+      samples[i] = toSrgb16(linear);
+  }
+  return samples;
+}
+
 /// Averages over squares of pixels, in linear light.
 Photograph reduced(const Photograph& photograph, int reduction) {
   const Image light = linearImage(photograph, reduction);
-  std::vector<std::uint8_t> samples(3 * light.pixels());
-  for (std::size_t i = 0; i < samples.size(); ++i) samples[i] = toSrgb8((*light.rgb()[i % 3])[i / 3]);
   Photograph smaller;
   smaller.width = light.width;
   smaller.height = light.height;
-  smaller.samples = std::move(samples);
+  if (std::holds_alternative<std::vector<std::uint8_t>>(photograph.samples))
+    smaller.samples = encoded<std::uint8_t>(light);
+  else
+    smaller.samples = encoded<std::uint16_t>(light);
   return smaller;
 }
 
@@ -202,9 +220,12 @@ void writeView(View view, const ViewInput& input, const ViewOptions& options, Tr
   // Of two pictures neither's scene holds for the whole.
   if (const auto scene = input.scene(); scene && options.beside.empty()) said[kSceneKey] = *scene;
   Photograph photograph;
-  photograph.width = view.picture.width;
-  photograph.height = view.picture.height;
-  photograph.samples = std::move(view.picture.rgb);
+  photograph.width = view.deep ? view.deep->width : view.picture.width;
+  photograph.height = view.deep ? view.deep->height : view.picture.height;
+  if (view.deep)
+    photograph.samples = quantised16(*view.deep);
+  else
+    photograph.samples = std::move(view.picture.rgb);
   if (options.reduction > 1) photograph = reduced(photograph, options.reduction);
   writePhotograph(outputs.at(options.output), photograph, said);
   if (options.quiet) return;
@@ -223,8 +244,10 @@ std::vector<ViewInput> readPictures(const ViewOptions& options) {
   if (!options.minus.empty()) pictures.push_back(readViewInput(options.minus, rules, options.layers));
   if (options.needsCamera() && !options.photo.given())
     for (ViewInput& picture : pictures) takeSceneBeside(picture);
-  if (options.exposure && std::none_of(pictures.begin(), pictures.end(), [](const auto& p) { return p.light; }))
-    throw CLI::ValidationError("--exposure", "is for linear light; " + options.input + " has been developed already");
+  const char* ofLight = options.exposure ? "--exposure" : options.exposureValue ? "--ev" : "--tone";
+  if ((options.exposure || options.exposureValue || !options.tone.empty()) &&
+      std::none_of(pictures.begin(), pictures.end(), [](const auto& p) { return p.light; }))
+    throw CLI::ValidationError(ofLight, "is for linear light; " + options.input + " has been developed already");
   return pictures;
 }
 
@@ -262,7 +285,10 @@ std::vector<View> pictureViews(const std::vector<ViewInput>& pictures, const Vie
   for (std::size_t i = 0; i < views.size() && options.drawsLines(); ++i) {
     const LineArt lines = linesOver(pictures[i], cameras[i], options);
     if (!options.layer.empty()) writeLineArt(outputs.at(options.layer), lines, {{"Software", kSoftware}});
-    layOver(views[i].picture, lines);
+    if (views[i].deep)
+      layOver(*views[i].deep, lines);
+    else
+      layOver(views[i].picture, lines);
   }
   return views;
 }

@@ -48,6 +48,16 @@ void requireLayers(const std::string& path, const std::vector<std::string>& has,
   }
 }
 
+/// cd/m^2.
+double whiteLuminanceIn(const ViewInput& input) {
+  const std::optional<double> white = whiteLuminanceOf(input.photograph.text);
+  if (!white)
+    throw CLI::ValidationError(
+        "--ev",
+        input.path + " is in no absolute unit: it has no whiteLuminance, the cd/m2 of its white; give --exposure");
+  return *white;
+}
+
 /// Reads a picture of light.
 void readLight(ViewInput& input, const PhotographRules& rules, const std::vector<std::string>& layers, bool withNames) {
   const auto scene = input.scene();
@@ -119,10 +129,12 @@ void takeSceneBeside(ViewInput& input) {
   input.sceneFile = exr->string();
 }
 
-Shown show(const ViewInput& input, std::optional<double> exposure) {
+Shown show(const ViewInput& input, const LightDisplay& how) {
   if (!input.light) return {shown(input.photograph), std::nullopt};
-  const double stops = exposure ? *exposure : autoExposure(*input.light);
-  return {developed(*input.light, {stops}), stops};
+  const double stops = how.exposureValue ? exposureFor(*how.exposureValue, whiteLuminanceIn(input), how.curve)
+                       : how.exposure    ? *how.exposure
+                                         : autoExposure(*input.light);
+  return {developed(*input.light, {stops, how.curve}), stops};
 }
 
 Image lightOf(ViewInput input) { return input.light ? std::move(*input.light) : linearImage(input.photograph); }

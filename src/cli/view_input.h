@@ -46,9 +46,17 @@ struct Shown {
   std::optional<double> exposure;  // stops, of linear light
 };
 
-/// The picture as a screen shows it: photographs of 8 and 16 bits as they are, linear light developed with `exposure`,
-/// or that which suits it.
-Shown show(const ViewInput& input, std::optional<double> exposure);
+/// How linear light is to be developed.
+struct LightDisplay {
+  std::optional<double> exposure;       // stops
+  std::optional<double> exposureValue;  // in its place, EV at ISO 100
+  ToneCurve curve = ToneCurve::reinhard;
+};
+
+/// The picture as a screen shows it: photographs of 8 and 16 bits as they are, linear light developed. Without an
+/// exposure it gets that which suits it. Throws CLI::ValidationError for an exposure value where the picture does not
+/// say which luminance its white is.
+Shown show(const ViewInput& input, const LightDisplay& how);
 
 /// Linear light, Rec.709: that of a photograph is 1 at white.
 Image lightOf(ViewInput input);

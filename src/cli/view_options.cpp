@@ -7,6 +7,7 @@
 #include "cli/outputs.h"
 #include "cli/run_options.h"
 #include "math/names.h"
+#include "picture/photograph.h"
 #include "view/dots.h"
 #include "view/gaussian_blur.h"
 
@@ -48,6 +49,10 @@ std::string validUnsharp(const std::string& text) {
   return good ? "" : expectedNot("AMOUNT,RADIUS, for one 3,20 (radius 0.1 to 4096 pixels)", text);
 }
 
+std::string validBits(const std::string& text) {
+  return text == "8" || text == "16" ? "" : expectedNot("8 or 16", text);
+}
+
 void refuse(bool mistake, const char* option, const char* reason) {
   if (mistake) throw CLI::ValidationError(option, reason);
 }
@@ -87,6 +92,20 @@ void addFilters(CLI::App& command, ViewOptions& o) {
   command.add_option("--exposure", o.exposure, "Exposure of linear light; chosen by the picture when left out")
       ->type_name("STOPS")
       ->transform(number(-100.0, 100.0));
+  command
+      .add_option("--ev", o.exposureValue,
+                  "Exposure value at ISO 100, of a picture in absolute units: 0.125 * 2^EV cd/m2 become mid-grey, 18 %")
+      ->type_name("EV")
+      ->transform(number(-100.0, 100.0))
+      ->excludes("--exposure");
+  command
+      .add_option("--tone", o.tone,
+                  "Curve from linear light to the screen: reinhard, filmic or linear; reinhard when left out")
+      ->type_name("NAME")
+      ->check(nameOfOne<ToneCurve>());
+  command.add_option("--bits", o.bits, "Bits of each component, 8 or 16; 8 when left out")
+      ->type_name("8|16")
+      ->check(CLI::Validator(validBits, ""));
   command.add_option("--mask", o.mask, "White where the input shows sky, for --profile and --red-minus-blue")
       ->type_name("FILE");
 }
@@ -179,6 +198,12 @@ void ViewOptions::requireSense() const {
   refuse(dotSize && !dots, "--dot-size", "needs --dots");
   refuse(!mask.empty() && !profiles && !redMinusBlue, "--mask", "needs --profile or --red-minus-blue");
   refuse(exposure && (profiles || dots), "--exposure", "has no meaning for --profile and --dots");
+  const bool developsNothing = profiles || dots || !minus.empty();
+  refuse(exposureValue && developsNothing, "--ev", "has no meaning for --profile, --dots and --minus");
+  refuse(!tone.empty() && developsNothing, "--tone", "has no meaning for --profile, --dots and --minus");
+  refuse(bits != 8 && (developsNothing || !beside.empty()), "--bits",
+         "is of one picture, without --profile, --dots, --minus and --beside");
+  refuse(bits != 8 && extensionOf(output) != ".png", "--bits", "needs -o with a .png");
   refuse(!scene.empty() && !drawsHalos(), "--scene", "is for halos: give --overlay or --halos");
   refuse(!crystals.empty() && !drawsHalos(), "--crystals", "is for halos: give --overlay or --halos");
   refuse(!scene.empty() && !crystals.empty(), "--scene", "and --crystals both say whose halos to draw");
@@ -197,6 +222,10 @@ std::vector<HaloFamily> ViewOptions::families() const {
 
 bool ViewOptions::drawsLines() const {
   return overlay || grid || !circles.empty() || horizonLine || zenith || drawsHalos();
+}
+
+LightDisplay ViewOptions::lightDisplay() const {
+  return {exposure, exposureValue, tone.empty() ? ToneCurve::reinhard : valueOf<ToneCurve>(tone)};
 }
 
 OverlaySettings ViewOptions::overlaySettings() const {

@@ -12,6 +12,28 @@ namespace {
 
 constexpr double kHighlightFade = 128.0;  // exposed value at which a colour is half way to white
 
+constexpr double kMidGrey = 0.18;     // of white
+constexpr double kFilmicWhite = 8.0;  // from somewhat below on the curve below is white
+
+/// (a x^2 + b x) / (c x^2 + d x + e), white from x = 7.2 on: the fit of Narkowicz 2015, "ACES Filmic Tone Mapping
+/// Curve", to the reference and output transforms of the Academy Color Encoding System for screens.
+constexpr struct { double a = 2.51, b = 0.03, c = 2.43, d = 0.59, e = 0.14; } kFilmic;
+
+/// What a curve makes of the largest component, above 0.
+double peakOf(double x, ToneCurve curve) {
+  switch (curve) {
+    case ToneCurve::reinhard:
+      return x < 1.0 ? x / (1.0 + x) : 1.0 - 1.0 / (1.0 + x);  // never falls in its last bit
+    case ToneCurve::filmic:
+      return x < kFilmicWhite
+                 ? std::min(1.0, x * (kFilmic.a * x + kFilmic.b) / (x * (kFilmic.c * x + kFilmic.d) + kFilmic.e))
+                 : 1.0;
+    case ToneCurve::linear:
+      return std::min(x, 1.0);
+  }
+  return 0.0;
+}
+
 bool isFinite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 /// Thresholds of an 8 x 8 ordered dither (Bayer 1973), in (-1/2, 1/2) of a step, by interleaving the bits of x ^ y
@@ -26,17 +48,38 @@ double ditherThreshold(int x, int y) {
 
 }  // namespace
 
-Vec3 toneCurve(const Vec3& exposed) {
+Vec3 toneCurve(const Vec3& exposed, ToneCurve curve) {
   if (!isFinite(exposed)) return {0.0, 0.0, 0.0};
   const Vec3 colour = intoGamut(exposed);
   const double norm = std::max({colour.x, colour.y, colour.z});
   if (norm <= 0.0) return {0.0, 0.0, 0.0};
 
-  const double peak = norm < 1.0 ? norm / (1.0 + norm) : 1.0 - 1.0 / (1.0 + norm);  // never falls in its last bit
+  const double peak = peakOf(norm, curve);
+  const Vec3 saturated = colour / norm;
+  if (curve == ToneCurve::linear) return peak * saturated;
   const double fade = norm / kHighlightFade;
   const double towardWhite = fade < 1.0 ? fade * fade / (1.0 + fade * fade) : 1.0 / (1.0 + 1.0 / fade / fade);
-  const Vec3 saturated = colour / norm;
   return peak * (saturated + towardWhite * (Vec3(1.0) - saturated));
+}
+
+double midGreyOf(ToneCurve curve) {
+  switch (curve) {
+    case ToneCurve::reinhard:
+      return kMidGrey / (1.0 - kMidGrey);
+    case ToneCurve::filmic: {
+      // The curve solved for its argument.
+      const double a = kFilmic.a - kMidGrey * kFilmic.c, b = kFilmic.b - kMidGrey * kFilmic.d;
+      return (std::sqrt(b * b + 4.0 * a * kMidGrey * kFilmic.e) - b) / (2.0 * a);
+    }
+    case ToneCurve::linear:
+      return kMidGrey;
+  }
+  return kMidGrey;
+}
+
+double exposureFor(double ev, double whiteLuminance, ToneCurve curve) {
+  constexpr double kLuminanceAtZero = 0.125;  // cd/m^2
+  return (portable::log(midGreyOf(curve)) - portable::log(kLuminanceAtZero / whiteLuminance)) / portable::log(2.0) - ev;
 }
 
 std::uint8_t ditheredStep(double encoded, int x, int y) {
@@ -51,7 +94,7 @@ Preview developPreview(const Image& image, const ToneSettings& settings) {
   for (std::size_t i = 0; i < image.pixels(); ++i) {
     const Vec3 radiance{(*red)[i], (*green)[i], (*blue)[i]};
     if (!isFinite(radiance)) ++preview.badPixels;
-    const Vec3 display = toneCurve(exposure * radiance);
+    const Vec3 display = toneCurve(exposure * radiance, settings.curve);
     const int x = static_cast<int>(i % static_cast<std::size_t>(image.width));
     const int y = static_cast<int>(i / static_cast<std::size_t>(image.width));
     for (int c = 0; c < 3; ++c) {

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
 #include <vector>
 
 #include "math/conventions.h"
@@ -11,15 +12,43 @@
 
 namespace parhelion {
 
+/// How exposed light becomes what a screen shows. All curves act on the largest component and move the others in
+/// proportion, so that hues stay.
+enum class ToneCurve {
+  reinhard,  // x / (1 + x): bright parts stay apart, 1.1 and 13 are 75 and 97 % of the code values of sRGB
+  filmic,    // dark parts and bright ones with less contrast than what is between them, as on film
+  linear,    // x as it is, up to white at 1
+};
+
+constexpr std::string_view nameOf(ToneCurve curve) {
+  switch (curve) {
+    case ToneCurve::reinhard:
+      return "reinhard";
+    case ToneCurve::filmic:
+      return "filmic";
+    case ToneCurve::linear:
+      return "linear";
+  }
+  return {};
+}
+
 struct ToneSettings {
-  double exposureStops = 0.0;  // the radiance is multiplied by 2^stops; 1 then comes out at half of white
+  double exposureStops = 0.0;  // the radiance is multiplied by 2^stops
+  ToneCurve curve = ToneCurve::reinhard;
 };
 
 /// Exposed linear Rec.709 to display-linear Rec.709 in [0, 1]: colours out of gamut are mixed with the grey of their
-/// luminance just as far as needed, the largest component goes through x / (1 + x) and the others in proportion, so
-/// that hues stay. That keeps bright parts apart: 1.1 and 13 are 75 and 97 % of the code values of sRGB. Far highlights
-/// fade to white, half way at 128. Black for components that are not finite.
-Vec3 toneCurve(const Vec3& exposed);
+/// luminance just as far as needed, the largest component goes through the curve and the others in proportion. But for
+/// the linear curve, far highlights fade to white, half way at 128. Black for components that are not finite.
+Vec3 toneCurve(const Vec3& exposed, ToneCurve curve = ToneCurve::reinhard);
+
+/// The light that a curve shows as mid-grey, 18 % of white.
+double midGreyOf(ToneCurve curve);
+
+/// The exposure, in stops, at which a curve shows as mid-grey what an exposure value `ev` at ISO 100 is for, a
+/// luminance of 0.125 * 2^ev cd/m^2 (ISO 2720: reflected light, calibration constant 12.5), of light whose R = G = B =
+/// 1 is `whiteLuminance` cd/m^2.
+double exposureFor(double ev, double whiteLuminance, ToneCurve curve);
 
 /// 8 bits of an encoded component in [0, 1] at a place of the picture, by ordered dither: gradients of a halo on black
 /// would show bands without it. Whole steps, black and white among them, stay what they are.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "view/display.h"
 
+#include <algorithm>
 #include <limits>
 #include <stdexcept>
 #include <type_traits>
@@ -46,7 +47,7 @@ Display developed(const Image& image, const ToneSettings& settings) {
   for (std::vector<float>& plane : display.planes) plane.resize(image.pixels());
   for (std::size_t i = 0; i < image.pixels(); ++i) {
     const Vec3 radiance{(*light[0])[i], (*light[1])[i], (*light[2])[i]};
-    const Vec3 linear = toneCurve(exposure * radiance);
+    const Vec3 linear = toneCurve(exposure * radiance, settings.curve);
     for (int c = 0; c < 3; ++c)
       display.planes[static_cast<std::size_t>(c)][i] = static_cast<float>(srgbEncode(linear[c]));
   }
@@ -60,6 +61,13 @@ Preview quantised(const Display& display) {
     for (int x = 0; x < display.width; ++x, ++i)
       for (std::size_t c = 0; c < 3; ++c) preview.rgb[3 * i + c] = ditheredStep(display.planes[c][i], x, y);
   return preview;
+}
+
+std::vector<std::uint16_t> quantised16(const Display& display) {
+  std::vector<std::uint16_t> samples(3 * display.pixels());
+  for (std::size_t i = 0; i < samples.size(); ++i)
+    samples[i] = static_cast<std::uint16_t>(65535.0 * std::clamp(display.planes[i % 3][i / 3], 0.0F, 1.0F) + 0.5);
+  return samples;
 }
 
 }  // namespace parhelion

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "picture/photograph.h"
@@ -30,5 +31,8 @@ Display developed(const Image& image, const ToneSettings& settings);
 
 /// 8 bits a component, dithered as developPreview does it; components that came from 8 bits come back unchanged.
 Preview quantised(const Display& display);
+
+/// 16 bits a component, interleaved.
+std::vector<std::uint16_t> quantised16(const Display& display);
 
 }  // namespace parhelion

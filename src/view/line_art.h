@@ -9,6 +9,7 @@
 
 #include "picture/tone.h"
 #include "picture/transaction.h"
+#include "view/display.h"
 
 namespace parhelion {
 
@@ -22,6 +23,7 @@ struct LineArt {
 /// Lays lines and letters over a picture: a mixture of the encoded values in proportion to alpha, as picture editors do
 /// it. Throws std::invalid_argument if the sizes differ.
 void layOver(Preview& picture, const LineArt& lines);
+void layOver(Display& picture, const LineArt& lines);
 
 /// Writes them as PNG with alpha, see writePhotograph.
 void writeLineArt(const Output& output, const LineArt& lines, const std::map<std::string, std::string>& text);

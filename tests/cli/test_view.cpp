@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "picture/exr.h"
 #include "picture/photograph.h"
 #include "rendered_sky.h"
 #include "sky/tally_exr.h"
@@ -48,6 +49,40 @@ TEST_CASE("the lines over a sky are those over its preview with the same camera,
   CHECK(layer.channels == 4);
   CHECK(samples(layer) == samples(readPhotograph(folder / "photo-lines.png")));
   CHECK(samples(readPhotograph(folder / "a.png")) != samples(readPhotograph(folder / "s.png")));
+}
+
+TEST_CASE("a picture in absolute units is exposed by an exposure value, on any tone curve") {
+  WithSky folder;
+  parhelion::Image image{2, 1, {}};
+  // 0.125 * 2^13 cd/m2, and five stops more.
+  for (const char* name : {"R", "G", "B"}) image.add(name) = {4.0F, 128.0F};
+  parhelion::writeBeautyExr(folder / "absolute.exr", image, {{parhelion::kWhiteLuminanceKey, "256"}});
+  std::set<int> bright;
+  for (const std::string tone : {"", " --tone reinhard", " --tone filmic", " --tone linear"}) {
+    const Outcome outcome = run(folder, "parhelion view absolute.exr --ev 13 -o v.png" + tone);
+    REQUIRE_MESSAGE(outcome.exit == 0, outcome.err);
+    const auto shown = samples(readPhotograph(folder / "v.png"));
+    CHECK(std::abs(shown[0] - 118) <= 1);  // 18 % of white in sRGB
+    bright.insert(shown[3]);
+  }
+  CHECK(bright.size() == 3);  // the usual one is reinhard
+  REQUIRE(run(folder, "parhelion view absolute.exr --ev 12 -o v.png --tone linear").exit == 0);
+  CHECK(std::abs(samples(readPhotograph(folder / "v.png"))[0] - 162) <= 1);  // 36 %
+}
+
+TEST_CASE("a view of 16 bits is finer than one of 8 bits, and the same picture") {
+  WithSky folder;
+  for (const std::string more : {"", " --overlay", " --unsharp 2,3", " --reduce 2"}) {
+    REQUIRE(run(folder, "parhelion view s.exr --bits 16 -o deep.png" + more).exit == 0);
+    REQUIRE(run(folder, "parhelion view s.exr --bits 8 -o flat.png" + more).exit == 0);
+    const Photograph deep = readPhotograph(folder / "deep.png");
+    const auto fine = std::get<std::vector<std::uint16_t>>(deep.samples);
+    const auto coarse = samples(readPhotograph(folder / "flat.png"));
+    REQUIRE(fine.size() == coarse.size());
+    CHECK(std::set<std::uint16_t>(fine.begin(), fine.end()).size() > 256);
+    for (std::size_t i = 0; i < fine.size(); ++i) CHECK(std::abs(fine[i] / 257.0 - coarse[i]) < 2.0);
+    CHECK(deep.text.contains("parhelion:scene"));
+  }
 }
 
 TEST_CASE("each line can be asked for by itself, with and without numbers") {

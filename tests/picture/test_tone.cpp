@@ -120,6 +120,51 @@ TEST_CASE("no light, however odd, makes the tone curve leave [0, 1]") {
   }
 }
 
+TEST_CASE("every tone curve rises from black to white and keeps the hue, in and beyond its middle") {
+  const Vec3 colour{0.2, 1.0, 0.4};
+  for (const ToneCurve curve : {ToneCurve::reinhard, ToneCurve::filmic, ToneCurve::linear}) {
+    CAPTURE(nameOf(curve));
+    double before = 0.0;
+    for (double stops = -40.0; stops < 60.0; stops += 0.125) {
+      const Vec3 now = toneCurve(std::exp2(stops) * colour, curve);
+      CHECK(now.y >= before);
+      CHECK(now.y <= 1.0);
+      before = now.y;
+      // (middle - least) / (greatest - least) is the hue; a white that is faded to has none any more.
+      if (stops < 12.0) CHECK((now.z - now.x) / (now.y - now.x) == doctest::Approx(0.25).epsilon(1e-6));
+    }
+    CHECK(before > 0.999);
+    CHECK(toneCurve(Vec3(0.0), curve) == Vec3(0.0));
+    CHECK(toneCurve(Vec3(std::nan("")), curve) == Vec3(0.0));
+    CHECK(toneCurve(Vec3(1e308), curve).x <= 1.0);
+  }
+}
+
+TEST_CASE("the curves have the values of their definitions") {
+  CHECK(toneCurve(Vec3(3.0), ToneCurve::reinhard).x == doctest::Approx(0.75));
+  CHECK(toneCurve(Vec3(0.3), ToneCurve::linear).x == 0.3);
+  CHECK(toneCurve(Vec3(30.0), ToneCurve::linear) == Vec3(1.0));
+  CHECK(toneCurve(Vec3(2.0, 1.0, 0.0), ToneCurve::linear) == Vec3(1.0, 0.5, 0.0));
+  // Narkowicz 2015 at 1: 2.54 / 3.16.
+  CHECK(toneCurve(Vec3(1.0), ToneCurve::filmic).x == doctest::Approx(0.803797).epsilon(1e-4));
+  CHECK(toneCurve(Vec3(7.0), ToneCurve::filmic).x < 1.0);
+  CHECK(toneCurve(Vec3(7.4), ToneCurve::filmic).x == 1.0);
+}
+
+TEST_CASE("at an exposure value, 0.125 cd/m2 times its power of two is mid-grey, whatever the unit and the curve") {
+  for (const ToneCurve curve : {ToneCurve::reinhard, ToneCurve::filmic, ToneCurve::linear}) {
+    CAPTURE(nameOf(curve));
+    CHECK(toneCurve(Vec3(midGreyOf(curve)), curve).x == doctest::Approx(0.18).epsilon(1e-5));
+    for (const double ev : {-3.0, 0.0, 13.0}) {
+      for (const double white : {1.0, 250.0, 1e-3}) {
+        const double luminance = 0.125 * std::exp2(ev);
+        const double exposed = std::exp2(exposureFor(ev, white, curve)) * luminance / white;
+        CHECK(toneCurve(Vec3(exposed), curve).x == doctest::Approx(0.18).epsilon(1e-5));
+      }
+    }
+  }
+}
+
 TEST_CASE("sRGB encoding has its known values") {
   CHECK(srgbEncode(0.0) == 0.0);
   CHECK(srgbEncode(1.0) == doctest::Approx(1.0).epsilon(1e-14));
