@@ -34,6 +34,8 @@ constexpr double kOfCoarse = 0.35, kOfMean = 0.75;
 constexpr double kOfCoarseAtRest = 1.2;
 // Waves that are left out leave ripples, of this share of the light beside them and of what pixels have on average.
 constexpr double kRipple = 1e-3, kFarRipple = 3e-4;
+// Pixels around that one without light is compared with, to either side.
+constexpr int kAround = 2;
 // Pixels that are narrower than a cell may have as much of the difference between their neighbours' light as this.
 constexpr double kWithinCell = 0.25;
 // What a picture needs of bands is rounded to such steps, that the next one may need the same: cosines of so many
@@ -189,7 +191,7 @@ class TiltIntegration {
         const double scale = directions_.solidAngle(i) * (colours_ ? 1.0 : grey[1]);
         const double variance = factor * factor * scale * scale * most;
         result_.variance[i] = static_cast<float>(variance);
-        const TiltSky::PixelLight lit = litAt(x, y);
+        const TiltSky::PixelLight lit = litAt(x, y, factor * directions_.solidAngle(i) * std::sqrt(most));
         for (std::size_t c = 0; c < 3; ++c)
           result_.xyz[i][c] = colours_ ? lit[c] : static_cast<float>(static_cast<double>(lit[0]) * grey[c]);
         errors[static_cast<std::size_t>(y)] += std::sqrt(variance);
@@ -216,9 +218,9 @@ class TiltIntegration {
     return solidAngle > 0.0 ? 1.0 / solidAngle : 0.0;
   }
 
-  /// What a pixel's light is taken for. Beside a sharp edge what is put back of blur may leave less than nothing: there
-  /// it is that of the darkest neighbour with any.
-  TiltSky::PixelLight litAt(int x, int y) const {
+  /// What the light of a pixel with such an error is taken for. Beside a sharp edge what is put back of blur may leave
+  /// less than nothing: there it is that of the darkest pixel around with any, and no more than the error.
+  TiltSky::PixelLight litAt(int x, int y, double error) const {
     const int width = camera_.width();
     const auto at = [&](int column, int row) -> const TiltSky::PixelLight& {
       return pixels_[static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
@@ -231,13 +233,15 @@ class TiltIntegration {
     const double per = perSolidAngle(x, y);
     if (!isLight(light) && per > 0.0) {
       light = {};
-      for (int row = std::max(y - 1, 0); row <= std::min(y + 1, camera_.height() - 1); ++row)
-        for (int column = std::max(x - 1, 0); column <= std::min(x + 1, width - 1); ++column) {
+      for (int row = std::max(y - kAround, 0); row <= std::min(y + kAround, camera_.height() - 1); ++row)
+        for (int column = std::max(x - kAround, 0); column <= std::min(x + kAround, width - 1); ++column) {
           TiltSky::PixelLight other = at(column, row);
           if (!isLight(other)) continue;
           for (float& channel : other) channel *= static_cast<float>(perSolidAngle(column, row) / per);
           if (!isLight(light) || other[luminance] < light[luminance]) light = other;
         }
+      const double most = error / std::max(static_cast<double>(light[luminance]), error);
+      for (float& channel : light) channel *= static_cast<float>(most);
     }
     for (float& channel : light) channel = std::max(channel, 0.0F);
     return light;

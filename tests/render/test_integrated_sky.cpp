@@ -231,6 +231,23 @@ TEST_CASE("beside the sharp edges of coloured arcs an integrated sky has no less
   CHECK(std::ranges::count_if(luminance, dark) == 0);
 }
 
+TEST_CASE("dark pixels beside bright edges stay dark") {
+  const std::string camera = "[camera]\nprojection = \"fisheye-equal-area\"\nresolution = [512, 512]\n";
+  const std::vector<double> a = luminanceOf(skyOf(kPlates + camera, 0.02).image),
+                            b = luminanceOf(skyOf(kPlates + camera, 0.01).image);
+  double mean = 0.0, apart = 0.0, pixels = 0.0;
+  for (const double light : b) {
+    mean += light;
+    pixels += light > 0.0;
+  }
+  mean /= pixels;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (a[i] <= 0.0 && b[i] <= 0.0) continue;
+    apart += std::pow(a[i] - b[i], 2.0) / (b[i] * b[i] + 0.01 * mean * mean) / pixels;
+  }
+  CHECK(apart < 2e-3);
+}
+
 TEST_CASE("the rim of a picture, whose pixels see little of the sky, has the light that rays find there") {
   const LoadedScene loaded = parseScene(
       "[sun]\nelevation = 1.0\nvisible = false\n[[population]]\naspect = 0.2\norientation = \"plate\"\ntilt = 0.7\n"
