@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "cli/duration.h"
-#include "math/duration_text.h"
 #include "cli/number_options.h"
+#include "math/duration_text.h"
 #include "math/number_text.h"
 #include "render/wanted_rays.h"
 

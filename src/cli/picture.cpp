@@ -30,10 +30,34 @@ void PictureOptions::addTo(CLI::App& command) {
       .add_option("-o,--output", output,
                   "The EXR, or its folder; the PNG stands beside it. Named after the input when left out")
       ->type_name("FILE");
-  command.add_option("--exposure", exposure, "Exposure of the preview; chosen by the picture when left out")
-      ->type_name("STOPS")
-      ->transform(number(-100.0, 100.0));
+  display.addTo(command, "Exposure of the preview; chosen by the picture when left out");
   addGamut(command, gamut);
+}
+
+void DisplayWords::addTo(CLI::App& command, const std::string& about) {
+  command.add_option("--exposure", exposure, about)->type_name("STOPS")->transform(number(-100.0, 100.0));
+  command
+      .add_option("--ev", exposureValue,
+                  "Exposure value at ISO 100, of a picture in absolute units: 0.125 * 2^EV cd/m2 become mid-grey, 18 %")
+      ->type_name("EV")
+      ->transform(number(-100.0, 100.0))
+      ->excludes("--exposure");
+  command
+      .add_option("--tone", tone,
+                  "Curve from linear light to the screen: reinhard, filmic or linear; reinhard when left out")
+      ->type_name("NAME")
+      ->check(nameOfOne<ToneCurve>());
+}
+
+LightDisplay DisplayWords::settings() const {
+  return {exposure, exposureValue, tone.empty() ? ToneCurve::reinhard : valueOf<ToneCurve>(tone)};
+}
+
+void requireUnit(const LightDisplay& display, const Scene& scene) {
+  if (display.exposureValue && !isAbsolute(scene))
+    throw CLI::ValidationError(
+        "--ev",
+        "the scene's light has no absolute unit, as that of a [cloud] with an optical_depth has; give --exposure");
 }
 
 void addGamut(CLI::App& command, std::string& gamut) {
@@ -49,7 +73,7 @@ Gamut gamutOf(const std::string& gamut) { return gamut.empty() ? Gamut::exact : 
 
 SkyFiles PictureOptions::files(const std::string& input) const {
   // All of it is thrown away, as benchmarks want it.
-  if (isNull(output)) return {output, output, exposure, gamutOf(gamut)};
+  if (isNull(output)) return {output, output, display.settings(), gamutOf(gamut)};
   std::filesystem::path exr = output;
   std::error_code none;
   if (output.empty() || !exr.has_filename() || std::filesystem::is_directory(exr, none)) exr /= ownName(input);
@@ -64,7 +88,7 @@ SkyFiles PictureOptions::files(const std::string& input) const {
   std::filesystem::path png = exr;
   if (extension != ".exr") exr.replace_extension(".exr");
   if (extension != ".png") png.replace_extension(".png");
-  return {exr, png, exposure, gamutOf(gamut)};
+  return {exr, png, display.settings(), gamutOf(gamut)};
 }
 
 void reportPicture(const SkyFiles& files, const WrittenSky& written, const std::vector<std::string>& remarks) {

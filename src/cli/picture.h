@@ -7,16 +7,30 @@
 
 #include <CLI/CLI.hpp>
 
+#include "picture/auto_exposure.h"
 #include "picture/gamut.h"
 #include "render/sky_files.h"
+#include "scene/scene.h"
 
 namespace parhelion::cli {
 
+/// The words of a command line for how linear light is shown.
+struct DisplayWords {
+  std::optional<double> exposure;       // stops
+  std::optional<double> exposureValue;  // EV at ISO 100
+  std::string tone;                     // name of a curve; empty: the usual one
+
+  /// Adds --exposure, of which `about` says what it is, --ev and --tone.
+  void addTo(CLI::App& command, const std::string& about);
+
+  LightDisplay settings() const;
+};
+
 /// Where a picture goes and how its preview is exposed.
 struct PictureOptions {
-  std::string output;              // of the EXR; empty: named after the input, in the current folder
-  std::optional<double> exposure;  // stops; empty: chosen by the picture
-  std::string gamut;               // "exact", "clip"; empty: exact
+  std::string output;    // of the EXR; empty: named after the input, in the current folder
+  DisplayWords display;  // of the preview
+  std::string gamut;     // "exact", "clip"; empty: exact
 
   void addTo(CLI::App& command);
 
@@ -25,6 +39,9 @@ struct PictureOptions {
   /// to, and where there is no name to call them by.
   SkyFiles files(const std::string& input) const;
 };
+
+/// Throws CLI::ValidationError for an exposure value of a scene whose pictures are not in absolute units.
+void requireUnit(const LightDisplay& display, const Scene& scene);
 
 /// Adds --gamut, which says what becomes of colours outside Rec.709, to a subcommand.
 void addGamut(CLI::App& command, std::string& gamut);

@@ -220,6 +220,7 @@ int runRecon(const ReconOptions& options) {
   const std::string& first = options.tallies.front();
   const std::string name = descriptorOf(first) ? first : std::filesystem::path(first).stem().string() + "-sky";
   SkyFiles files = options.picture.files(name);
+  requireUnit(files.display, loaded.scene);
   const SkySize size = skySizeOf(tally);
   requireMemory("the picture", memoryToReconstruct(size, loaded.scene.recon, options.threads));
   Transaction outputs = claimOutputsOf(options, files, leastBytesOfPicture(size, loaded.scene.recon));

@@ -41,6 +41,7 @@ int renderSmooth(const RenderOptions& options, const CLI::App& command, LoadedSc
   requireIntegrable(loaded.scene);
   const std::string& scene = options.run.scene;
   SkyFiles files = options.picture.files(scene);
+  requireUnit(files.display, loaded.scene);
   const SkySize size = skySizeOf(loaded.scene);
   const double goal = integralGoal(options.longRun.error);
   const std::uint64_t integrating = memoryToIntegrate(size) + memoryOfOrientations(loaded.scene, goal);
@@ -78,6 +79,7 @@ int runRender(const RenderOptions& options, const CLI::App& command, Tracers& tr
   if (isIntegrated(loaded.scene)) return renderSmooth(options, command, std::move(loaded));
   const std::string& scene = options.run.scene;
   SkyFiles files = options.picture.files(scene);
+  requireUnit(files.display, loaded.scene);
   const Cloud cloud = cloudOf(loaded.scene);
   const TraceSettings settings = chosenSettings(cloud, loaded.scene.trace);
   const RayRange wanted = options.longRun.wanted(settings.rays, cloud.bundleSize(), options.run);

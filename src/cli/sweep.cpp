@@ -27,7 +27,7 @@ struct SweepOptions {
   RunOptions run;
   std::vector<std::string> keys;
   std::string output, contactSheet, gamut, error;
-  std::optional<double> exposure;
+  DisplayWords display;
   std::size_t first = 0;
   bool product = false;
 };
@@ -98,6 +98,7 @@ void requireOutputsOf(const SweepOptions& options, const std::vector<SweepFrame>
                                                       " frames, not " + std::to_string(frames.size()));
   Files files{{options.run.scene}, {options.contactSheet}};
   for (const SweepFrame& frame : frames) {
+    requireUnit(options.display.settings(), frame.loaded.scene);
     files.outputs.push_back(frame.exr);
     files.outputs.push_back(frame.png());
     const SkySize size = skySizeOf(frame.loaded.scene);
@@ -145,10 +146,11 @@ bool renderLacking(const RunOptions& run, const std::vector<SweepFrame>& frames,
 
 /// The previews of all frames and their contact sheet, if one is asked for. False if a signal came.
 bool makePreviews(const SweepOptions& options, const std::vector<SweepFrame>& frames, const StopSignal& stop) {
-  const auto written = writePreviews(frames, {options.exposure, options.contactSheet, &stop.requested(), options.run.threads});
+  const auto written =
+      writePreviews(frames, {options.display.settings(), options.contactSheet, &stop.requested(), options.run.threads});
   if (!written || options.run.quiet) return written.has_value();
   say("previews of %zu frames at exposure %s%s", frames.size(), exposureText(written->exposure).c_str(),
-      options.exposure ? "" : ", the median of what the frames would choose");
+      options.display.exposure || options.display.exposureValue ? "" : ", the median of what the frames would choose");
   if (written->badPixels > 0) say("%zu pixels are not finite and black in the previews", written->badPixels);
   return true;
 }
@@ -204,11 +206,7 @@ void addOptions(CLI::App& command, SweepOptions& options) {
       ->required()
       ->type_name("FRAME_%04d.exr");
   command.add_option("--first", options.first, "Number of the first frame")->transform(wholeNumber(0, 1'000'000'000));
-  command
-      .add_option("--exposure", options.exposure,
-                  "Exposure of all previews; the median of what the frames would choose when left out")
-      ->type_name("STOPS")
-      ->transform(number(-100.0, 100.0));
+  options.display.addTo(command, "Exposure of all previews; the median of what the frames would choose when left out");
   addErrorGoal(
       command, options.error,
       "Integrate what can be, as --engine mixed does, and aim at this mean relative error of each frame; engines that "

@@ -141,7 +141,7 @@ View filtered(const ViewInput& input, const ViewOptions& options) {
           "--symmetry mirror for dots");
     return view;
   }
-  Shown shown = show(input, options.lightDisplay());
+  Shown shown = show(input, options.display.settings());
   if (shown.exposure) view.remarks.push_back(text("exposure %+.2f stops", *shown.exposure));
   if (!options.unsharp.empty()) unsharp(shown.display, options.unsharpSettings());
   if (options.redMinusBlue) {
@@ -172,13 +172,13 @@ void requireOneSky(const ViewInput& one, const ViewInput& other) {
 /// One of the two kinds of light has a unit, the other has white: only the user knows how they compare.
 View difference(const ViewInput& one, const ViewInput& other, const ViewOptions& options) {
   requireOneSky(one, other);
-  if (one.light.has_value() != other.light.has_value() && !options.exposure)
+  if (one.light.has_value() != other.light.has_value() && !options.display.exposure)
     throw CLI::ValidationError("--minus", "between a photograph and linear light give --exposure for the latter");
   const auto light = [&](const ViewInput& input) {
     Image image = lightOf(input);
-    if (input.light && options.exposure)
+    if (input.light && options.display.exposure)
       for (Channel& channel : image.channels)
-        for (float& sample : channel.samples) sample *= static_cast<float>(std::exp2(*options.exposure));
+        for (float& sample : channel.samples) sample *= static_cast<float>(std::exp2(*options.display.exposure));
     return image;
   };
   try {
@@ -244,8 +244,8 @@ std::vector<ViewInput> readPictures(const ViewOptions& options) {
   if (!options.minus.empty()) pictures.push_back(readViewInput(options.minus, rules, options.layers));
   if (options.needsCamera() && !options.photo.given())
     for (ViewInput& picture : pictures) takeSceneBeside(picture);
-  const char* ofLight = options.exposure ? "--exposure" : options.exposureValue ? "--ev" : "--tone";
-  if ((options.exposure || options.exposureValue || !options.tone.empty()) &&
+  const char* ofLight = options.display.exposure ? "--exposure" : options.display.exposureValue ? "--ev" : "--tone";
+  if ((options.display.exposure || options.display.exposureValue || !options.display.tone.empty()) &&
       std::none_of(pictures.begin(), pictures.end(), [](const auto& p) { return p.light; }))
     throw CLI::ValidationError(ofLight, "is for linear light; " + options.input + " has been developed already");
   return pictures;

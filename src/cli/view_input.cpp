@@ -48,16 +48,6 @@ void requireLayers(const std::string& path, const std::vector<std::string>& has,
   }
 }
 
-/// cd/m^2.
-double whiteLuminanceIn(const ViewInput& input) {
-  const std::optional<double> white = whiteLuminanceOf(input.photograph.text);
-  if (!white)
-    throw CLI::ValidationError(
-        "--ev",
-        input.path + " is in no absolute unit: it has no whiteLuminance, the cd/m2 of its white; give --exposure");
-  return *white;
-}
-
 /// Reads a picture of light.
 void readLight(ViewInput& input, const PhotographRules& rules, const std::vector<std::string>& layers, bool withNames) {
   const auto scene = input.scene();
@@ -131,10 +121,13 @@ void takeSceneBeside(ViewInput& input) {
 
 Shown show(const ViewInput& input, const LightDisplay& how) {
   if (!input.light) return {shown(input.photograph), std::nullopt};
-  const double stops = how.exposureValue ? exposureFor(*how.exposureValue, whiteLuminanceIn(input), how.curve)
-                       : how.exposure    ? *how.exposure
-                                         : autoExposure(*input.light);
-  return {developed(*input.light, {stops, how.curve}), stops};
+  const std::optional<double> white = whiteLuminanceOf(input.photograph.text);
+  if (how.exposureValue && !white)
+    throw CLI::ValidationError(
+        "--ev",
+        input.path + " is in no absolute unit: it has no whiteLuminance, the cd/m2 of its white; give --exposure");
+  const ToneSettings tone = toneFor(how, *input.light, white);
+  return {developed(*input.light, tone), tone.exposureStops};
 }
 
 Image lightOf(ViewInput input) { return input.light ? std::move(*input.light) : linearImage(input.photograph); }

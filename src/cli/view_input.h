@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cli/photo_options.h"
+#include "picture/auto_exposure.h"
 #include "picture/photograph.h"
 #include "sky/tally.h"
 #include "view/display.h"
@@ -44,13 +45,6 @@ void takeSceneBeside(ViewInput& input);
 struct Shown {
   Display display;
   std::optional<double> exposure;  // stops, of linear light
-};
-
-/// How linear light is to be developed.
-struct LightDisplay {
-  std::optional<double> exposure;       // stops
-  std::optional<double> exposureValue;  // in its place, EV at ISO 100
-  ToneCurve curve = ToneCurve::reinhard;
 };
 
 /// The picture as a screen shows it: photographs of 8 and 16 bits as they are, linear light developed. Without an

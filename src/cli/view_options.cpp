@@ -89,20 +89,7 @@ void addFilters(CLI::App& command, ViewOptions& o) {
                   "Pixels across a dot; 1 when left out, more in pictures of more than 1600 pixels")
       ->type_name("PX")
       ->transform(wholeNumber(1, kMaxDotSize));
-  command.add_option("--exposure", o.exposure, "Exposure of linear light; chosen by the picture when left out")
-      ->type_name("STOPS")
-      ->transform(number(-100.0, 100.0));
-  command
-      .add_option("--ev", o.exposureValue,
-                  "Exposure value at ISO 100, of a picture in absolute units: 0.125 * 2^EV cd/m2 become mid-grey, 18 %")
-      ->type_name("EV")
-      ->transform(number(-100.0, 100.0))
-      ->excludes("--exposure");
-  command
-      .add_option("--tone", o.tone,
-                  "Curve from linear light to the screen: reinhard, filmic or linear; reinhard when left out")
-      ->type_name("NAME")
-      ->check(nameOfOne<ToneCurve>());
+  o.display.addTo(command, "Exposure of linear light; chosen by the picture when left out");
   command.add_option("--bits", o.bits, "Bits of each component, 8 or 16; 8 when left out")
       ->type_name("8|16")
       ->check(CLI::Validator(validBits, ""));
@@ -197,10 +184,10 @@ void ViewOptions::requireSense() const {
   refuse(gain && !redMinusBlue && minus.empty(), "--gain", "needs --red-minus-blue or --minus");
   refuse(dotSize && !dots, "--dot-size", "needs --dots");
   refuse(!mask.empty() && !profiles && !redMinusBlue, "--mask", "needs --profile or --red-minus-blue");
-  refuse(exposure && (profiles || dots), "--exposure", "has no meaning for --profile and --dots");
+  refuse(display.exposure && (profiles || dots), "--exposure", "has no meaning for --profile and --dots");
   const bool developsNothing = profiles || dots || !minus.empty();
-  refuse(exposureValue && developsNothing, "--ev", "has no meaning for --profile, --dots and --minus");
-  refuse(!tone.empty() && developsNothing, "--tone", "has no meaning for --profile, --dots and --minus");
+  refuse(display.exposureValue && developsNothing, "--ev", "has no meaning for --profile, --dots and --minus");
+  refuse(!display.tone.empty() && developsNothing, "--tone", "has no meaning for --profile, --dots and --minus");
   refuse(bits != 8 && (developsNothing || !beside.empty()), "--bits",
          "is of one picture, without --profile, --dots, --minus and --beside");
   refuse(bits != 8 && extensionOf(output) != ".png", "--bits", "needs -o with a .png");
@@ -222,10 +209,6 @@ std::vector<HaloFamily> ViewOptions::families() const {
 
 bool ViewOptions::drawsLines() const {
   return overlay || grid || !circles.empty() || horizonLine || zenith || drawsHalos();
-}
-
-LightDisplay ViewOptions::lightDisplay() const {
-  return {exposure, exposureValue, tone.empty() ? ToneCurve::reinhard : valueOf<ToneCurve>(tone)};
 }
 
 OverlaySettings ViewOptions::overlaySettings() const {

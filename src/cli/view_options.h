@@ -8,7 +8,7 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/photo_options.h"
-#include "cli/view_input.h"
+#include "cli/picture.h"
 #include "view/overlay.h"
 #include "view/sky_profile.h"
 #include "view/unsharp.h"
@@ -23,12 +23,11 @@ struct ViewOptions {
   std::vector<std::string> layers;  // of light; empty: all
   std::string unsharp;              // AMOUNT,RADIUS
   bool redMinusBlue = false, dots = false;
-  std::optional<int> dotSize;            // pixels
-  int reduction = 1;                     // pixels averaged in each direction
-  std::optional<double> gain, exposure;  // exposure in stops
-  std::optional<double> exposureValue;   // in its place, EV at ISO 100
-  std::string tone;                      // name of a curve; empty: the usual one
-  int bits = 8;                          // of a component
+  std::optional<int> dotSize;  // pixels
+  int reduction = 1;           // pixels averaged in each direction
+  std::optional<double> gain;
+  DisplayWords display;
+  int bits = 8;  // of a component
   PhotoOptions photo;
   bool quiet = false, overwrite = false;
 
@@ -55,7 +54,6 @@ struct ViewOptions {
   std::vector<HaloFamily> families() const;
 
   bool needsCamera() const { return drawsLines() || !profile.empty(); }
-  LightDisplay lightDisplay() const;
   OverlaySettings overlaySettings() const;
   UnsharpSettings unsharpSettings() const;
   SkyProfileSettings profileSettings() const;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 #include <vector>
 
 #include <glm/geometric.hpp>
@@ -96,6 +97,12 @@ double autoExposure(const Image& image) {
     return std::sqrt(right * right + lower * lower);
   });
   return kTargetStops - (changes.isEmpty() ? lit : changes).below(kShareOfChange);
+}
+
+ToneSettings toneFor(const LightDisplay& how, const Image& image, std::optional<double> whiteLuminance) {
+  if (!how.exposureValue) return {how.exposure ? *how.exposure : autoExposure(image), how.curve};
+  if (!whiteLuminance) throw std::invalid_argument("no exposure value without the luminance of white");
+  return {exposureFor(*how.exposureValue, *whiteLuminance, how.curve), how.curve};
 }
 
 }  // namespace parhelion

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
+
 #include "picture/image.h"
+#include "picture/tone.h"
 
 namespace parhelion {
 
@@ -18,5 +21,16 @@ namespace parhelion {
 /// a picture where nothing changes, every lit pixel counts alike. 0 for a picture that is black all over. Throws
 /// std::invalid_argument if R, G or B is missing.
 double autoExposure(const Image& image);
+
+/// How a linear picture is to be developed.
+struct LightDisplay {
+  std::optional<double> exposure = std::nullopt;       // stops; none: autoExposure()
+  std::optional<double> exposureValue = std::nullopt;  // in its place, EV at ISO 100
+  ToneCurve curve = ToneCurve::reinhard;
+};
+
+/// The exposure and the curve for a picture. Throws std::invalid_argument for an exposure value if it is not known of
+/// which luminance (cd/m^2) its R = G = B = 1 is.
+ToneSettings toneFor(const LightDisplay& how, const Image& image, std::optional<double> whiteLuminance);
 
 }  // namespace parhelion

@@ -5,7 +5,6 @@
 #include <map>
 
 #include "parallel/threads.h"
-#include "picture/auto_exposure.h"
 #include "picture/png.h"
 #include "render/scene_attributes.h"
 #include "render/slab_light.h"
@@ -38,6 +37,8 @@ void writeSky(const Output& exr, Image& image, const TallyInfo& info, const Load
   writeBeautyExr(exr, image, attributes, envmap);
 }
 
+bool isAbsolute(const Scene& scene) { return scene.cloud.has_value(); }
+
 std::string exposureText(double stops) {
   char text[64];
   std::snprintf(text, sizeof text, "%+.2f stops", stops);
@@ -52,10 +53,11 @@ void writePreview(const Output& png, const Preview& preview, double stops, const
 
 WrittenSky writeSkyFiles(const SkyFiles& files, Image image, const TallyInfo& info, const LoadedScene& loaded) {
   writeSky({files.exr, files.run}, image, info, loaded, files.gamut);
-  const double stops = files.exposure ? *files.exposure : autoExposure(image);
-  const Preview preview = developPreview(image, {stops});
-  writePreview({files.png, files.run}, preview, stops, loaded.text);
-  return {stops, preview.badPixels};
+  const std::optional<double> white = isAbsolute(loaded.scene) ? std::optional(1.0) : std::nullopt;
+  const ToneSettings tone = toneFor(files.display, image, white);
+  const Preview preview = developPreview(image, tone);
+  writePreview({files.png, files.run}, preview, tone.exposureStops, loaded.text);
+  return {tone.exposureStops, preview.badPixels};
 }
 
 }  // namespace parhelion

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "picture/auto_exposure.h"
 #include "picture/gamut.h"
 #include "picture/image.h"
 #include "picture/tone.h"
@@ -24,6 +25,9 @@ ReconstructedSky developSky(const TracedSky& traced, const LoadedScene& loaded, 
 void writeSky(const Output& exr, Image& image, const TallyInfo& info, const LoadedScene& loaded,
               Gamut gamut = Gamut::exact);
 
+/// Whether pictures of a scene are in cd/m^2.
+bool isAbsolute(const Scene& scene);
+
 /// An exposure as people and PNG texts read it: "+1.50 stops".
 std::string exposureText(double stops);
 
@@ -34,9 +38,9 @@ void writePreview(const Output& png, const Preview& preview, double stops, const
 /// Where the two files of a sky go.
 struct SkyFiles {
   std::filesystem::path exr, png;
-  std::optional<double> exposure;  // of the preview, stops; none: chosen by the picture
-  Gamut gamut = Gamut::exact;      // of the EXR
-  Transaction* run = nullptr;      // with whose other files they appear; none: each by itself
+  LightDisplay display;        // of the preview
+  Gamut gamut = Gamut::exact;  // of the EXR
+  Transaction* run = nullptr;  // with whose other files they appear; none: each by itself
 };
 
 /// What was written.

@@ -109,39 +109,46 @@ SweepReport renderFrames(std::span<const SweepFrame> frames, const SweepControl&
 namespace {
 
 /// Writes the previews of some frames, and what a contact sheet has of each. The number of bad pixels.
-std::size_t previewSome(std::span<const SweepFrame> frames, const SweepPreviewSettings& settings, double exposure,
-                        const SheetLayout& layout, Transaction& together, std::span<SheetCell> cells) {
+std::size_t previewSome(std::span<const SweepFrame> frames, const SweepPreviewSettings& settings,
+                        const ToneSettings& tone, const SheetLayout& layout, Transaction& together,
+                        std::span<SheetCell> cells) {
   for (const SweepFrame& frame : frames) together.claim(frame.png());
   std::atomic<std::size_t> badPixels = 0;
   forEach(frames.size(), [&](std::size_t k) {
     if (settings.stop && *settings.stop) return;
     const SweepFrame& frame = frames[k];
     const Image image = readExr(frame.exr, ExrColours::rec709, {true}).image;
-    const Preview preview = developPreview(image, {exposure});
+    const Preview preview = developPreview(image, tone);
     badPixels += preview.badPixels;
-    writePreview(together.at(frame.png()), preview, exposure, frame.loaded.text);
+    writePreview(together.at(frame.png()), preview, tone.exposureStops, frame.loaded.text);
     if (!settings.contactSheet.empty()) cells[k] = {reducedToFit(image, layout), labelsOf(frame)};
   });
   return badPixels;
 }
 
+/// Of all frames, whose units are alike.
+ToneSettings toneOf(std::span<const SweepFrame> frames, LightDisplay display) {
+  if (!display.exposure && !display.exposureValue) display.exposure = medianExposure(frames);
+  return toneFor(display, {}, whiteLuminanceOf(readExrAttributes(frames.front().exr)));
+}
+
 std::optional<SweepPreviews> writeAllPreviews(std::span<const SweepFrame> frames,
                                               const SweepPreviewSettings& settings) {
   SweepPreviews written;
-  written.exposure = settings.exposure ? *settings.exposure : medianExposure(frames);
+  const ToneSettings tone = toneOf(frames, settings.display);
+  written.exposure = tone.exposureStops;
   const SheetLayout layout = layoutOf(frames);
   std::vector<SheetCell> cells(frames.size());
   Transaction together;
   for (std::size_t first = 0; first < frames.size(); first += kMostTogether) {
     if (first > 0) together.commit();
     const std::size_t count = std::min(kMostTogether, frames.size() - first);
-    written.badPixels += previewSome(frames.subspan(first, count), settings, written.exposure, layout, together,
+    written.badPixels += previewSome(frames.subspan(first, count), settings, tone, layout, together,
                                      std::span(cells).subspan(first, count));
     if (settings.stop && *settings.stop) return std::nullopt;
   }
   if (!settings.contactSheet.empty())
-    writePreview(together.at(settings.contactSheet), contactSheet(layout, cells, written.exposure), written.exposure,
-                 {});
+    writePreview(together.at(settings.contactSheet), contactSheet(layout, cells, tone), written.exposure, {});
   together.commit();
   return written;
 }

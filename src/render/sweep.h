@@ -33,7 +33,7 @@ struct SweepReport {
 SweepReport renderFrames(std::span<const SweepFrame> frames, const SweepControl& control);
 
 struct SweepPreviewSettings {
-  std::optional<double> exposure;           // stops; none: the median of what the frames would choose
+  LightDisplay display;                     // without an exposure: the median of what the frames would choose
   std::filesystem::path contactSheet;       // empty: none
   const std::atomic<bool>* stop = nullptr;  // looked at between frames
   int threads = 0;                          // 0: one a processor

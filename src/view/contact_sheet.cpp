@@ -129,7 +129,7 @@ Image reducedToFit(const Image& picture, const SheetLayout& layout) {
   return small;
 }
 
-Preview contactSheet(const SheetLayout& layout, std::span<const SheetCell> cells, double exposureStops) {
+Preview contactSheet(const SheetLayout& layout, std::span<const SheetCell> cells, const ToneSettings& tone) {
   Preview sheet{layout.width(), layout.height(), {}, 0};
   sheet.rgb.assign(std::size_t{3} * static_cast<std::size_t>(sheet.width) * static_cast<std::size_t>(sheet.height),
                    kPaper);
@@ -139,7 +139,7 @@ Preview contactSheet(const SheetLayout& layout, std::span<const SheetCell> cells
     const int column = static_cast<int>(i) % layout.columns, row = static_cast<int>(i) / layout.columns;
     const int left = kGap + column * (layout.pictureWidth + kGap);
     const int top = kGap + row * (layout.pictureHeight + layout.labelHeight + kGap);
-    const Preview picture = developPreview(cells[i].picture, {exposureStops});
+    const Preview picture = developPreview(cells[i].picture, tone);
     sheet.badPixels += picture.badPixels;
     paste(sheet, picture, left + (layout.pictureWidth - picture.width) / 2,
           top + (layout.pictureHeight - picture.height) / 2);

@@ -40,6 +40,6 @@ struct SheetCell {
 /// All cells, row by row from the top left, developed with one exposure; at most columns x rows of them, each picture
 /// within its room. Text too long for its cell loses its beginning: of a key ("population.plates.tilt 1") whole parts
 /// up to a dot first, letters only where its last part does not fit either.
-Preview contactSheet(const SheetLayout& layout, std::span<const SheetCell> cells, double exposureStops);
+Preview contactSheet(const SheetLayout& layout, std::span<const SheetCell> cells, const ToneSettings& tone);
 
 }  // namespace parhelion

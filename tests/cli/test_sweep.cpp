@@ -242,6 +242,33 @@ TEST_CASE("all previews have one exposure: as told, or the median of what the fr
   CHECK(readFile(folder / "f_1.png") == readFile(folder / "r.png"));
 }
 
+TEST_CASE("previews of render, recon and sweep are developed by an exposure value and a curve, as view does it") {
+  WithScene folder;
+  const std::string how = " --ev 9 --tone filmic ";
+  REQUIRE(run(folder, "parhelion render s.toml -D cloud.optical_depth=0.2 -o r.exr --quiet" + how).exit == 0);
+  REQUIRE(run(folder, "parhelion view r.exr -o v.png --quiet" + how).exit == 0);
+  const auto shown = readPhotograph(folder / "v.png").samples;
+  CHECK(readPhotograph(folder / "r.png").samples == shown);
+  REQUIRE(run(folder, "parhelion view r.exr -o w.png --quiet --ev 9").exit == 0);
+  CHECK(readPhotograph(folder / "w.png").samples != shown);
+  REQUIRE(run(folder, "parhelion trace s.toml -D cloud.optical_depth=0.2 -o t.exr --quiet").exit == 0);
+  REQUIRE(run(folder, "parhelion recon t.exr -o again.exr --quiet" + how).exit == 0);
+  CHECK(readPhotograph(folder / "again.png").samples == shown);
+  REQUIRE(run(folder,
+              "parhelion sweep s.toml -D cloud.optical_depth=0.2 sun.elevation=20,25 -o f_%d.exr "
+              "--contact-sheet sheet.png --quiet" +
+                  how)
+              .exit == 0);
+  CHECK(readPhotograph(folder / "f_0.png").samples == shown);
+  for (const std::string command : {"render s.toml -o x.exr", "recon plain.exr -o x.exr"}) {
+    REQUIRE(run(folder, "parhelion trace s.toml -o plain.exr --quiet --overwrite").exit == 0);
+    const Outcome outcome = run(folder, "parhelion " + command + how);
+    CHECK(outcome.exit == 2);
+    CHECK_MESSAGE(outcome.err.find("--ev: the scene's light has no absolute unit") != std::string::npos, outcome.err);
+    CHECK(!std::filesystem::exists(folder / "x.exr"));
+  }
+}
+
 TEST_CASE("the contact sheet shows all frames at once") {
   WithScene folder;
   REQUIRE(run(folder, "parhelion sweep s.toml sun.elevation=10:15:1 -o f_%d.exr --contact-sheet all.png").exit == 0);
@@ -293,6 +320,7 @@ TEST_CASE("mistakes of a sweep are told before anything is rendered") {
       {"sun.date=2026-12-21T09:00:00Z sun.elevation=3 -o f_%d.exr", "placed twice"},
       {"sun.date=2026-12-21T09:00:00Z -o f_%d.exr", "'latitude' is missing"},
       {"sun.date=2026-12-32T09:00:00Z -o f_%d.exr", "is no date and time that exists"},
+      {"sun.elevation=1:2:1 -o f_%d.exr --ev 13", "--ev: the scene's light has no absolute unit"},
       {"sun.elevation=1:2:1 -o f_%d.exr --contact-sheet f_1.png", "written over"},
       {"sun.elevation=1:2:1 -o f_%d.exr --contact-sheet all.exr", "name of a .png"},
       {"sun.elevation=1:2:1 -o f_%d.exr --first -1", "--first"},

@@ -82,7 +82,7 @@ TEST_CASE("pictures are averaged as light, before the tone curve") {
   for (const char* name : {"R", "G", "B"}) checks.add(name) = {0, 8, 8, 0};
   const SheetLayout layout = roomOf(1, 1);
   const SheetCell averaged{reducedToFit(checks, layout), {}}, even{grey(1, 1, 4.0F), {}};
-  CHECK(contactSheet(layout, {&averaged, 1}, -3.0).rgb == contactSheet(layout, {&even, 1}, -3.0).rgb);
+  CHECK(contactSheet(layout, {&averaged, 1}, {-3.0}).rgb == contactSheet(layout, {&even, 1}, {-3.0}).rgb);
 }
 
 TEST_CASE("a sheet has room for all its pictures, is about square, and is no more than 2000 pixels across") {
@@ -110,9 +110,9 @@ TEST_CASE("every picture has its text under it, inside its own column") {
   std::vector<SheetCell> cells(5);
   for (SheetCell& cell : cells)
     cell = {grey(100, 80, 0.0F), {"sun.elevation 12.5", "population.a-very-long-name-that-fits-nowhere.tilt 7"}};
-  const Preview labelled = contactSheet(layout, cells, 0.0);
+  const Preview labelled = contactSheet(layout, cells, {0.0});
   for (SheetCell& cell : cells) cell.labels.clear();
-  const Preview plain = contactSheet(layout, cells, 0.0);
+  const Preview plain = contactSheet(layout, cells, {0.0});
 
   const int gap = (layout.width() - layout.columns * layout.pictureWidth) / (layout.columns + 1);
   const int line = layout.labelHeight / 2;
@@ -135,7 +135,7 @@ TEST_CASE("a key too long for its picture loses whole parts from the left before
     narrow.pictureWidth = width;
     // The second line keeps the letters of all sheets at their smallest.
     const SheetCell cell{grey(10, 10, 0.0F), {label, std::string(100, 'm')}};
-    return contactSheet(narrow, {&cell, 1}, 0.0).rgb;
+    return contactSheet(narrow, {&cell, 1}, {0.0}).rgb;
   };
   CHECK(sheet("population.plates.aspect 0.1", 110) == sheet("plates.aspect 0.1", 110));
   CHECK(sheet("population.plates.aspect 0.1", 70) == sheet("aspect 0.1", 70));
@@ -148,8 +148,8 @@ TEST_CASE("one exposure serves all pictures of a sheet, and brighter frames come
   const SheetLayout layout = layOutSheet(2, 8, 8, 0);
   const std::vector<SheetCell> cells{{grey(8, 8, 0.25F), {}}, {grey(8, 8, 0.5F), {}}};
   const std::vector<SheetCell> doubled{{grey(8, 8, 0.5F), {}}, {grey(8, 8, 1.0F), {}}};
-  const Preview sheet = contactSheet(layout, cells, 1.0);
-  CHECK(sheet.rgb == contactSheet(layout, doubled, 0.0).rgb);
+  const Preview sheet = contactSheet(layout, cells, {1.0});
+  CHECK(sheet.rgb == contactSheet(layout, doubled, {0.0}).rgb);
   const auto middle = [&](int column) {
     const int x = column * layout.width() / 2 + layout.width() / 4;
     return sheet.rgb[static_cast<std::size_t>(3 * (layout.height() / 2 * layout.width() + x))];
