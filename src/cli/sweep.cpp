@@ -79,7 +79,10 @@ std::uint64_t memoryOf(const SweepFrame& frame, int threads) {
   const SkySize size = skySizeOf(scene);
   std::uint64_t bytes = memoryToRender(size, scene.recon, threads);
   if (isIntegrated(scene)) bytes += memoryToIntegrate(size) + memoryOfOrientations(scene, *frame.loaded.error);
-  return bytes;
+  // The picture of the frame before it is being written.
+  constexpr std::uint64_t kPictureBytes = 20, kLayerBytes = 12;
+  return bytes + static_cast<std::uint64_t>(size.pixels) *
+                     (kPictureBytes + kLayerBytes * static_cast<std::uint64_t>(size.layers));
 }
 
 /// Bytes of light that integrated frames may leave to the next: half of what frames do not take themselves.

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <future>
+#include <memory>
+#include <utility>
 #include <vector>
 
 #include "parallel/loops.h"
@@ -24,33 +27,54 @@ constexpr int kMostPictures = 4;
 // Files that wait for their names are open, and a process may have 1024.
 constexpr std::size_t kMostTogether = 256;
 
-/// Renders a frame as render does, and tells how far its energy is open, relative. None, and nothing is written, if it
-/// was stopped before all its rays were traced.
-std::optional<double> renderFrame(const SweepFrame& frame, const TraceControl& control, LightStore& store) {
-  Transaction run;
-  run.claim(frame.exr);
-  const LoadedScene& loaded = frame.loaded;
-  const Engine engine = loaded.scene.trace.engine;
-  const auto write = [&](Image& image, const TallyInfo& info) {
-    writeSky(run.at(frame.exr), image, info, loaded, frame.gamut);
-    run.commit();
-  };
+/// A frame that waits to be written.
+struct RenderedFrame {
+  Image image;
+  TallyInfo info;
+  double imbalance;  // of its energy, relative
+};
+
+/// Renders a frame as render does. None if it was stopped before all its rays were traced.
+std::optional<RenderedFrame> renderFrame(const LoadedScene& loaded, const TraceControl& control, LightStore& store) {
   if (loaded.error) {
     MixedSky made;
-    if (engine == Engine::mixed)
+    if (loaded.scene.trace.engine == Engine::mixed)
       made = mixSky(loaded, {*loaded.error}, control, &store);
     else
       made.sky = withThreads(control.threads, [&] { return integrateSky(loaded, *loaded.error, &store); });
     if (made.report.interrupted) return std::nullopt;
-    write(made.sky.image, made.sky.info);
-    return made.report.energy.imbalance();
+    return RenderedFrame{std::move(made.sky.image), made.sky.info, made.report.energy.imbalance()};
   }
   const TracedSky traced = traceSky(loaded, cloudOf(loaded.scene), control);
   if (traced.report.interrupted) return std::nullopt;
   ReconstructedSky sky = developSky(traced, loaded, control.threads);
-  write(sky.image, traced.tally.info());
-  return traced.report.energy.imbalance();
+  return RenderedFrame{std::move(sky.image), traced.tally.info(), traced.report.energy.imbalance()};
 }
+
+/// Writes a frame while the next one is rendered, which is in work for long: files are packed by one thread.
+class FrameWriter {
+ public:
+  explicit FrameWriter(bool beside) : beside_(beside) {}
+
+  void write(std::shared_ptr<Transaction> run, const SweepFrame& frame, RenderedFrame rendered) {
+    finish();
+    auto work = [run = std::move(run), &frame, rendered = std::move(rendered)]() mutable {
+      writeSky(run->at(frame.exr), rendered.image, rendered.info, frame.loaded, frame.gamut);
+      run->commit();
+    };
+    written_ = std::async(beside_ ? std::launch::async : std::launch::deferred, std::move(work));
+    if (!beside_) finish();
+  }
+
+  /// Waits for the last frame. Throws what writing it has thrown.
+  void finish() {
+    if (written_.valid()) written_.get();
+  }
+
+ private:
+  bool beside_;
+  std::future<void> written_;
+};
 
 /// Median of the exposures that the frames would choose for themselves, of those that have light: a few frames that
 /// are nearly dark or flooded do not matter, and no two frames differ.
@@ -90,18 +114,28 @@ SweepReport renderFrames(std::span<const SweepFrame> frames, const SweepControl&
   const RunClock clock;
   SweepReport report;
   LightStore store{BandStore(control.keptLight), {}};
+  FrameWriter writer(Threads(control.trace.threads).count() > 1);
   for (std::size_t i = 0; i < frames.size(); ++i) {
     if (frames[i].lacks.empty()) continue;
     const RunClock frameClock;
     TraceControl one = control.trace;
     one.timeLimit -= clock.seconds();
-    if ((one.stop && *one.stop) || one.timeLimit <= 0.0) return report;
-    const std::optional<double> imbalance = renderFrame(frames[i], one, store);
-    if (!imbalance) return report;
-    report.worstImbalance = std::max(report.worstImbalance, std::abs(*imbalance));
+    std::optional<RenderedFrame> rendered;
+    const auto run = std::make_shared<Transaction>();
+    if (!(one.stop && *one.stop) && one.timeLimit > 0.0) {
+      run->claim(frames[i].exr);
+      rendered = renderFrame(frames[i].loaded, one, store);
+    }
+    if (!rendered) {
+      writer.finish();
+      return report;
+    }
+    report.worstImbalance = std::max(report.worstImbalance, std::abs(rendered->imbalance));
     ++report.rendered;
+    writer.write(run, frames[i], std::move(*rendered));
     if (control.onFrame) control.onFrame(i, frameClock.seconds());
   }
+  writer.finish();
   report.complete = true;
   return report;
 }
