@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 
+#include "picture/auto_exposure.h"
 #include "render/sweep_frames.h"
 #include "trace/trace.h"
 
