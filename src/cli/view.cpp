@@ -18,9 +18,11 @@
 #include "scene/parse_scene.h"
 #include "scene/scene_halos.h"
 #include "scene/view_difference.h"
+#include "sky/camera.h"
 #include "view/beside.h"
 #include "view/colour_difference.h"
 #include "view/dots.h"
+#include "view/glare.h"
 #include "view/line_art.h"
 
 namespace parhelion::cli {
@@ -232,6 +234,18 @@ void writeView(View view, const ViewInput& input, const ViewOptions& options, Tr
   for (const std::string& remark : view.remarks) say("%s", remark.c_str());
 }
 
+/// Adds the glare of an eye to a picture of linear light.
+void dazzle(ViewInput& input) {
+  if (!input.light)
+    throw CLI::ValidationError("--glare", "is for linear light; " + input.path + " has been developed already");
+  const std::optional<std::string> scene = input.scene();
+  if (!scene)
+    throw CLI::ValidationError(
+        "--glare", input.path + " has no scene that tells its camera, so how far apart its pixels are is not known");
+  addGlare(*input.light,
+           1.0 / Camera(parseScene(*scene, "the scene in " + input.sceneFile).scene.camera).focalLength());
+}
+
 /// Reads the second picture, if there is one. Throws for options that have no meaning for what is in the files.
 std::vector<ViewInput> readPictures(const ViewOptions& options) {
   constexpr int kBytesForUse = 16;  // a pixel: three floats, and the view of 8 bits
@@ -244,6 +258,8 @@ std::vector<ViewInput> readPictures(const ViewOptions& options) {
   if (!options.minus.empty()) pictures.push_back(readViewInput(options.minus, rules, options.layers));
   if (options.needsCamera() && !options.photo.given())
     for (ViewInput& picture : pictures) takeSceneBeside(picture);
+  if (options.addsGlare())
+    for (ViewInput& picture : pictures) dazzle(picture);
   const char* ofLight = options.display.exposure ? "--exposure" : options.display.exposureValue ? "--ev" : "--tone";
   if ((options.display.exposure || options.display.exposureValue || !options.display.tone.empty()) &&
       std::none_of(pictures.begin(), pictures.end(), [](const auto& p) { return p.light; }))

@@ -49,6 +49,10 @@ std::string validUnsharp(const std::string& text) {
   return good ? "" : expectedNot("AMOUNT,RADIUS, for one 3,20 (radius 0.1 to 4096 pixels)", text);
 }
 
+std::string validGlare(const std::string& text) {
+  return text == "eye" || text == "none" ? "" : expectedNot("eye or none", text);
+}
+
 std::string validBits(const std::string& text) {
   return text == "8" || text == "16" ? "" : expectedNot("8 or 16", text);
 }
@@ -90,6 +94,11 @@ void addFilters(CLI::App& command, ViewOptions& o) {
       ->type_name("PX")
       ->transform(wholeNumber(1, kMaxDotSize));
   o.display.addTo(command, "Exposure of linear light; chosen by the picture when left out");
+  command
+      .add_option("--glare", o.glare,
+                  "Spread linear light as an eye does, so that the sun dazzles: eye or none; none when left out")
+      ->type_name("eye|none")
+      ->check(CLI::Validator(validGlare, ""));
   command.add_option("--bits", o.bits, "Bits of each component, 8 or 16; 8 when left out")
       ->type_name("8|16")
       ->check(CLI::Validator(validBits, ""));
@@ -188,6 +197,7 @@ void ViewOptions::requireSense() const {
   const bool developsNothing = profiles || dots || !minus.empty();
   refuse(display.exposureValue && developsNothing, "--ev", "has no meaning for --profile, --dots and --minus");
   refuse(!display.tone.empty() && developsNothing, "--tone", "has no meaning for --profile, --dots and --minus");
+  refuse(addsGlare() && developsNothing, "--glare", "has no meaning for --profile, --dots and --minus");
   refuse(bits != 8 && (developsNothing || !beside.empty()), "--bits",
          "is of one picture, without --profile, --dots, --minus and --beside");
   refuse(bits != 8 && extensionOf(output) != ".png", "--bits", "needs -o with a .png");

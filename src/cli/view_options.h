@@ -27,7 +27,8 @@ struct ViewOptions {
   int reduction = 1;           // pixels averaged in each direction
   std::optional<double> gain;
   DisplayWords display;
-  int bits = 8;  // of a component
+  std::string glare;  // "eye" or "none"; empty: none
+  int bits = 8;       // of a component
   PhotoOptions photo;
   bool quiet = false, overwrite = false;
 
@@ -53,6 +54,7 @@ struct ViewOptions {
   /// The families that --crystals names.
   std::vector<HaloFamily> families() const;
 
+  bool addsGlare() const { return glare == "eye"; }
   bool needsCamera() const { return drawsLines() || !profile.empty(); }
   OverlaySettings overlaySettings() const;
   UnsharpSettings unsharpSettings() const;

@@ -70,6 +70,27 @@ TEST_CASE("a picture in absolute units is exposed by an exposure value, on any t
   CHECK(std::abs(samples(readPhotograph(folder / "v.png"))[0] - 162) <= 1);  // 36 %
 }
 
+TEST_CASE("glare puts a veil around the sun that is drawn, and needs to know the camera") {
+  WithSky folder;
+  REQUIRE(run(folder, "parhelion render s.toml -D sun.visible=true -o sun.exr --quiet").exit == 0);
+  REQUIRE(run(folder, "parhelion view sun.exr --exposure -3 --glare eye -o dazzled.png").exit == 0);
+  REQUIRE(run(folder, "parhelion view sun.exr --exposure -3 --glare none -o plain.png").exit == 0);
+  const auto dazzled = samples(readPhotograph(folder / "dazzled.png"));
+  const auto plain = samples(readPhotograph(folder / "plain.png"));
+  double with = 0.0, without = 0.0;
+  for (std::size_t i = 0; i < plain.size(); ++i) {
+    with += dazzled[i];
+    without += plain[i];
+  }
+  CHECK(with > 1.02 * without);
+  parhelion::Image image{2, 1, {}};
+  for (const char* name : {"R", "G", "B"}) image.add(name) = {4.0F, 128.0F};
+  parhelion::writeBeautyExr(folder / "bare.exr", image, {});
+  const Outcome outcome = run(folder, "parhelion view bare.exr --glare eye -o v.png");
+  CHECK(outcome.exit == 2);
+  CHECK(outcome.err.find("--glare: bare.exr has no scene that tells its camera") != std::string::npos);
+}
+
 TEST_CASE("a view of 16 bits is finer than one of 8 bits, and the same picture") {
   WithSky folder;
   for (const std::string more : {"", " --overlay", " --unsharp 2,3", " --reduce 2"}) {
