@@ -5,7 +5,9 @@
 #include <cmath>
 #include <string_view>
 
+#include "math/arctangent.h"
 #include "math/portable.h"
+#include "math/rotation.h"
 #include "optics/spectrum.h"
 #include "optics/sun.h"
 #include "parallel/loops.h"
@@ -17,6 +19,8 @@ namespace {
 
 // Light along the horizon has gone through a cloud without end: the sine of the elevation is never taken for less.
 constexpr double kLevel = 1e-6;
+// Of elevations, where azimuths do not matter: closer toward the horizon.
+constexpr std::size_t kNodes = 4096;
 // Pixels within this of the horizon (rad), or so many times the size that pixels have on the axis, are looked at by so
 // many points to a side.
 constexpr double kNearHorizon = 0.02, kWide = 4.0;
@@ -35,11 +39,32 @@ SlabLight::SlabLight(const Scene& scene, double undeviated)
       illuminance_(solarIlluminance(scene.sun.spectrum)),
       toSun_(Sun(scene.sun).toCentre()),
       sunShadow_(extinction_.at(toSun_).shadow),
-      fromSun_(opticalDepth_ * (1.0 - undeviated) * sunShadow_ / std::max(toSun_.z, kLevel)) {}
+      fromSun_(opticalDepth_ * (1.0 - undeviated) * sunShadow_ / std::max(toSun_.z, kLevel)) {
+  if (extinction_.isSameAllAround()) tabulate();
+}
 
 double SlabLight::directIlluminance() const { return toSun_.z > 0.0 ? illuminance_ * portable::exp(-fromSun_) : 0.0; }
 
 double SlabLight::luminanceAt(const Vec3& toSky) const {
+  if (byElevation_.empty()) return exactLuminanceAt(toSky);
+  const double place =
+      kNodes * std::sqrt(std::abs(arctangent(toSky.z, std::sqrt(toSky.x * toSky.x + toSky.y * toSky.y))) / (0.5 * kPi));
+  const auto node = std::min(static_cast<std::size_t>(place), kNodes - 1);
+  const double* const at = &byElevation_[(toSky.z > 0.0 ? 0 : kNodes + 1) + node];
+  return at[0] + (place - static_cast<double>(node)) * (at[1] - at[0]);
+}
+
+void SlabLight::tabulate() {
+  std::vector<double> all;
+  for (const double side : {1.0, -1.0})
+    for (std::size_t k = 0; k <= kNodes; ++k) {
+      const double place = static_cast<double>(k) / static_cast<double>(kNodes), elevation = 0.5 * kPi * place * place;
+      all.push_back(exactLuminanceAt(skyDirection(0.0, side * std::max(elevation, kLevel))));
+    }
+  byElevation_ = std::move(all);
+}
+
+double SlabLight::exactLuminanceAt(const Vec3& toSky) const {
   if (!(toSun_.z > 0.0)) return 0.0;
   const double rise = std::max(std::abs(toSky.z), kLevel);
   const Extinction::Crystals between = extinction_.at(toSky);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "picture/image.h"
 #include "scene/scene.h"
@@ -32,13 +33,16 @@ class SlabLight {
   void apply(Image& image, const Camera& camera) const;
 
  private:
+  double exactLuminanceAt(const Vec3& toSky) const;
+  void tabulate();
   double meanOver(const Camera& camera, int x, int y) const;
 
   Extinction extinction_;
   double opticalDepth_, illuminance_;
   Vec3 toSun_;
-  double sunShadow_;  // of crystals in sunlight, as Extinction has it
-  double fromSun_;    // depth that sunlight meets
+  double sunShadow_;                 // of crystals in sunlight, as Extinction has it
+  double fromSun_;                   // depth that sunlight meets
+  std::vector<double> byElevation_;  // luminances, above the horizon and below it; none where azimuths matter
 };
 
 /// None for a scene without a cloud.

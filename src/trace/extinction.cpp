@@ -117,6 +117,10 @@ Extinction::Extinction(const SunSettings& sun, const IceSettings& ice,
   zenith_ = at(Vec3(0.0, 0.0, 1.0)).shadow;
 }
 
+bool Extinction::isSameAllAround() const {
+  return std::ranges::all_of(kinds_, [](const Kind& kind) { return kind.shadow.isSameAllAround(); });
+}
+
 Extinction::Crystals Extinction::at(const Vec3& toLight) const {
   const Vec3 up = toLight.z < 0.0 ? -toLight : toLight;
   const double elevation = arctangent(up.z, std::sqrt(up.x * up.x + up.y * up.y)) / (0.5 * kPi),

@@ -27,6 +27,9 @@ class Extinction {
     double undeviated;  // how much of what meets them goes on as if they were not there, through parallel faces
   };
 
+  /// Whether azimuths make no difference.
+  bool isSameAllAround() const;
+
   /// What light from a direction meets.
   Crystals at(const Vec3& toLight) const;
 
@@ -41,6 +44,7 @@ class Extinction {
    public:
     Table(int rows, int columns) : rows_(rows), columns_(columns), numbers_(static_cast<std::size_t>(rows * columns)) {}
     std::size_t size() const { return numbers_.size(); }
+    bool isSameAllAround() const { return columns_ == 1; }
     Vec3 directionOf(std::size_t k) const;  // azimuth 0 but for columns
     double& operator[](std::size_t k) { return numbers_[k]; }
     double at(const Place& place) const;
