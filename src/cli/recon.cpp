@@ -232,6 +232,7 @@ int runRecon(const ReconOptions& options) {
     writePng(outputs.at(options.confidence), confidence(run.sky.image), {{"Software", kSoftware}});
   printComparison(options, run, references, outputs);
   files.run = &outputs;
+  files.threads = options.threads;
   const WrittenSky written = writeSkyFiles(files, std::move(run.sky.image), tally.info(), loaded);
   if (!options.stats.empty()) writeReconStats(options, tally, nameOf(loaded.scene.recon), run, outputs);
   outputs.commit();

@@ -62,6 +62,7 @@ int renderSmooth(const RenderOptions& options, const CLI::App& command, LoadedSc
   if (!options.run.quiet) reportSmooth(made);
   if (!sky.reached) say("warning: the error asked for was not reached; the picture has its errors as they are");
   files.run = &outputs;
+  files.threads = options.run.threads;
   const WrittenSky written = writeSkyFiles(files, std::move(sky.image), sky.info, loaded);
   if (!options.run.stats.empty()) {
     const Engine engine = loaded.scene.trace.engine;
@@ -106,6 +107,7 @@ int runRender(const RenderOptions& options, const CLI::App& command, Tracers& tr
   if (run.endsWithoutPicture()) return run.exitCode();
   ReconstructedSky sky = picture.take();
   files.run = &outputs;
+  files.threads = options.run.threads;
   const WrittenSky written = writeSkyFiles(files, std::move(sky.image), sums.tally().info(), loaded);
   run.writeStats(outputs);
   outputs.commit();

@@ -14,6 +14,7 @@
 #include "picture/picture_layers.h"
 #include "recon/reconstruct.h"
 #include "render/scene_attributes.h"
+#include "render/sky_files.h"
 #include "scene/parse_scene.h"
 #include "scene/suggest.h"
 #include "sky/radiance.h"
@@ -126,7 +127,11 @@ Shown show(const ViewInput& input, const LightDisplay& how) {
     throw CLI::ValidationError(
         "--ev",
         input.path + " is in no absolute unit: it has no whiteLuminance, the cd/m2 of its white; give --exposure");
-  const ToneSettings tone = toneFor(how, *input.light, white);
+  LightDisplay chosen = how;
+  const auto scene = input.scene();
+  if (white && scene && !how.exposure && !how.exposureValue)
+    chosen.exposure = ownExposure(*input.light, parseScene(*scene, input.sceneFile).scene);
+  const ToneSettings tone = toneFor(chosen, *input.light, white);
   return {developed(*input.light, tone), tone.exposureStops};
 }
 

@@ -13,6 +13,8 @@ namespace parhelion {
 /// A continuous spectrum, as the 1931 observer sees it: sunlight, equal energy, or an illuminant of the CIE.
 struct ContinuousSpectrum {
   enum class Source { extraterrestrial, airMass1_5, equal, a, d50, d55, d65, d75, e } source = Source::extraterrestrial;
+  // The share that is left of it at each nanometre of the visible (optics/tables.h), [0, 1]; all where it is empty.
+  std::vector<double> transmittance = {};
 };
 
 constexpr std::string_view nameOf(ContinuousSpectrum::Source value) {

@@ -54,6 +54,15 @@ std::function<double(double)> powerOf(ContinuousSpectrum::Source source) {
   return [](double) { return 1.0; };
 }
 
+/// The same of what is left of it.
+std::function<double(double)> powerOf(const ContinuousSpectrum& settings) {
+  std::function<double(double)> whole = powerOf(settings.source);
+  if (settings.transmittance.empty()) return whole;
+  if (settings.transmittance.size() != static_cast<std::size_t>(kVisibleNodes))
+    throw std::invalid_argument("a transmittance has a number for each visible nanometre");
+  return [whole, &settings](double w) { return whole(w) * interpolate(settings.transmittance, w); };
+}
+
 }  // namespace
 
 Vec3 observer1931(double wavelength) {
@@ -63,7 +72,7 @@ Vec3 observer1931(double wavelength) {
 
 Spectrum::Spectrum(const SpectrumSettings& settings) {
   std::visit(Overloaded{
-                 [&](const ContinuousSpectrum& s) { buildContinuous(powerOf(s.source)); },
+                 [&](const ContinuousSpectrum& s) { buildContinuous(powerOf(s)); },
                  [&](const MonochromaticSpectrum& s) {
                    lines_ = {{s.wavelength, Vec3(1.0), 1.0}};
                  },

@@ -16,6 +16,7 @@ namespace parhelion {
 namespace {
 
 constexpr double kTargetStops = -3.0;       // of exposed light, for the luminance that is looked for
+constexpr double kSceneryStops = -1.5;      // likewise, where there is light all over
 constexpr double kShareOfChange = 0.75;     // in pixels darker than it
 constexpr double kShareOfBrightest = 0.01;  // of the lit pixels, whose differences do not count
 
@@ -80,6 +81,11 @@ std::vector<double> lightnessOf(const std::vector<float>& stops, double most) {
 }
 
 }  // namespace
+
+double exposureOfScenery(const Image& image) {
+  const StopsHistogram lit = histogram(stopsOf(image), [](std::size_t) { return 1.0; });
+  return lit.isEmpty() ? 0.0 : kSceneryStops - lit.below(0.5);
+}
 
 double autoExposure(const Image& image) {
   const std::vector<float> stops = stopsOf(image);

@@ -33,4 +33,8 @@ struct LightDisplay {
 /// which luminance (cd/m^2) its R = G = B = 1 is.
 ToneSettings toneFor(const LightDisplay& how, const Image& image, std::optional<double> whiteLuminance);
 
+/// The exposure, in stops, of a picture that is bright all over, as a camera would choose it: half of the lit pixels
+/// are then brighter than a grey of 55 % of the code values. Throws as autoExposure() does, and is 0 where that is.
+double exposureOfScenery(const Image& image);
+
 }  // namespace parhelion

@@ -26,14 +26,18 @@ const Mat3 kBradford = glm::transpose(Mat3{0.8951, 0.2664, -0.1614, -0.7502, 1.7
 
 }  // namespace
 
+Mat3 xyzToRec709() { return glm::inverse(rec709ToXyz()); }
+
 Mat3 xyzToRec709(const Vec3& white) {
-  const Mat3 toRec709 = glm::inverse(rec709ToXyz());
+  const Mat3 toRec709 = xyzToRec709();
   const Vec3 from = kBradford * white, to = kBradford * kD65;
   if (!(from.x > 0.0 && from.y > 0.0 && from.z > 0.0)) return toRec709;
 
   const Mat3 adapted = toRec709 * glm::inverse(kBradford) * diagonal(to / from) * kBradford;
   return diagonal(1.0 / (adapted * white)) * adapted;  // takes away the last rounding error of the white
 }
+
+Mat3 rec709ToXyz(const Vec3& white) { return glm::inverse(xyzToRec709(white)); }
 
 std::optional<Mat3> rgbToRec709(const Chromaticities& from) {
   // Unlike xyzFromChromaticity() also for y = 0, as in camera spaces and in ACES, whose blue has y < 0.

@@ -16,6 +16,12 @@ inline constexpr Vec3 kRec709Luminance{0.2126390058715104, 0.7151686787677559, 0
 /// response is not positive): that is shown unadapted, in its own colour.
 Mat3 xyzToRec709(const Vec3& white);
 
+/// CIE XYZ to linear Rec.709 as it is: nothing is adapted, and Y is the luminance of R, G and B.
+Mat3 xyzToRec709();
+
+/// From what xyzToRec709(white) gives back to CIE XYZ.
+Mat3 rec709ToXyz(const Vec3& white);
+
 /// Linear R, G, B of a colour space with these primaries and white to linear Rec.709, after the same adaptation: its
 /// white becomes white. None where they make no colour space: numbers that are none, or a white that does not lie among
 /// the primaries.

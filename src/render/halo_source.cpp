@@ -54,6 +54,11 @@ HaloScene haloSceneFor(const PhotoCamera& camera, std::optional<int> coarseness,
   std::vector<std::string> overrides{sunOverride(camera.sunElevation), "sun.visible=false",
                                      cameraOverride(camera.camera)};
   LoadedScene whole = load(overrides);
+  if (whole.scene.sky.air) {
+    // ... and its own air.
+    overrides.insert(overrides.begin(), "sky.air=false");
+    whole = load(overrides);
+  }
   const CameraSettings coarse =
       haloCamera(camera.camera, coarseness.value_or(finestNeeded(camera.camera, whole.scene.sun.diameter)));
   overrides.back() = cameraOverride(coarse);
@@ -74,6 +79,9 @@ PhotoHalo readHalo(const std::filesystem::path& path, const PhotoCamera& camera,
   constexpr int kOfLookup = 32;  // bytes a pixel
   const ExrFile sky = readExr(path, ExrColours::rec709, {true, kOfLookup, edited});
   const LoadedScene loaded = sceneIn(sky.attributes, path.string());
+  if (loaded.scene.sky.air)
+    throw std::runtime_error(path.string() +
+                             ": shows the air, too; a photograph has its own: render the halo with -D sky.air=false");
   requireSky(sky, path.string());
   requireSameSun(loaded.scene.sun.elevation, camera.sunElevation, path.string());
   ExrAttributes attributes = sky.attributes;

@@ -8,6 +8,7 @@
 #include "math/gauss_legendre.h"
 #include "optics/ice.h"
 #include "optics/spectrum.h"
+#include "render/air_background.h"
 
 namespace parhelion {
 
@@ -56,7 +57,7 @@ Tristimulus colourOf(const SpectralSample& sample, Counted counted) {
 /// All of a spectrum's light as lines: each meets each of the ice's indices. Empty for continuous light in ice whose
 /// index depends on the wavelength.
 std::vector<IndexColour> linesOf(const Scene& scene, Counted counted) {
-  const Spectrum spectrum(scene.sun.spectrum);
+  const Spectrum spectrum(sunAtCloud(scene).spectrum);
   const std::vector<double> fixed = fixedIndices(scene.ice);
   std::vector<IndexColour> lines;
   if (fixed.empty())
@@ -71,7 +72,7 @@ std::vector<IndexColour> linesOf(const Scene& scene, Counted counted) {
 }  // namespace
 
 IceLight iceLightOf(const Scene& scene) {
-  const Spectrum spectrum(scene.sun.spectrum);
+  const Spectrum spectrum(sunAtCloud(scene).spectrum);
   if (spectrum.lines().empty() && std::holds_alternative<TabulatedIce>(scene.ice))
     return IceLight::continuous(indicesAtShares(spectrum, scene.ice));
   std::vector<IndexShare> lines;
@@ -96,7 +97,7 @@ std::vector<PrismShare> prismsOf(const PopulationSettings& settings, int count) 
 
 IndexSampler::IndexSampler(const Scene& scene, Counted counted) : lines_(linesOf(scene, counted)) {
   if (!lines_.empty()) return;
-  const Spectrum spectrum(scene.sun.spectrum);
+  const Spectrum spectrum(sunAtCloud(scene).spectrum);
   for (int k = 0; k < kColourSteps; ++k) {
     const SpectralSample sample = spectrum.sample((k + 0.5) / kColourSteps);
     continuous_.push_back({refractiveIndex(scene.ice, sample.wavelength), colourOf(sample, counted)});

@@ -5,7 +5,9 @@
 #include <map>
 
 #include "parallel/threads.h"
+#include "picture/auto_exposure.h"
 #include "picture/png.h"
+#include "render/air_background.h"
 #include "render/scene_attributes.h"
 #include "render/slab_light.h"
 #include "sky/camera.h"
@@ -19,15 +21,20 @@ ReconstructedSky developSky(const TracedSky& traced, const LoadedScene& loaded, 
   return withThreads(threads, [&] { return reconstruct(traced.tally, loaded.scene.recon); });
 }
 
-void writeSky(const Output& exr, Image& image, const TallyInfo& info, const LoadedScene& loaded, Gamut gamut) {
+void writeSky(const Output& exr, Image& image, const TallyInfo& info, const LoadedScene& loaded, Gamut gamut,
+              int threads) {
   const Camera camera(info.camera);
-  const std::optional<SlabLight> slab = slabLightOf(loaded.scene, info.undeviatedFraction());
-  if (slab) slab->apply(image, camera);
-  if (loaded.scene.sun.visible)
+  const bool air = loaded.scene.sky.air;
+  std::optional<SlabLight> slab;
+  if (air)
+    addAir(image, camera, info, loaded.scene, threads);
+  else if ((slab = slabLightOf(loaded.scene, info.undeviatedFraction())))
+    slab->apply(image, camera);
+  if (!air && loaded.scene.sun.visible)
     drawUndeviatedSun(image, camera, Sun(loaded.scene.sun),
                       slab ? slab->directIlluminance() : info.undeviatedFraction());
   ExrAttributes attributes = sceneAttributes(loaded, info.rayCount());
-  if (slab) attributes[kWhiteLuminanceKey] = "1";
+  if (slab || air) attributes[kWhiteLuminanceKey] = "1";
   if (gamut == Gamut::clip) image.changeColours(intoGamut);
   if (gamut != Gamut::exact) attributes[kGamutKey] = nameOf(gamut);
   const Envmap envmap = envmapOf(camera);
@@ -37,7 +44,16 @@ void writeSky(const Output& exr, Image& image, const TallyInfo& info, const Load
   writeBeautyExr(exr, image, attributes, envmap);
 }
 
-bool isAbsolute(const Scene& scene) { return scene.cloud.has_value(); }
+bool isAbsolute(const Scene& scene) { return scene.cloud.has_value() || scene.sky.air; }
+
+double ownExposure(const Image& image, const Scene& scene) {
+  return scene.sky.air ? exposureOfScenery(image) : autoExposure(image);
+}
+
+ToneSettings previewTone(LightDisplay how, const Image& image, const Scene& scene) {
+  if (!how.exposure && !how.exposureValue) how.exposure = ownExposure(image, scene);
+  return toneFor(how, image, isAbsolute(scene) ? std::optional(1.0) : std::nullopt);
+}
 
 std::string exposureText(double stops) {
   char text[64];
@@ -52,9 +68,8 @@ void writePreview(const Output& png, const Preview& preview, double stops, const
 }
 
 WrittenSky writeSkyFiles(const SkyFiles& files, Image image, const TallyInfo& info, const LoadedScene& loaded) {
-  writeSky({files.exr, files.run}, image, info, loaded, files.gamut);
-  const std::optional<double> white = isAbsolute(loaded.scene) ? std::optional(1.0) : std::nullopt;
-  const ToneSettings tone = toneFor(files.display, image, white);
+  writeSky({files.exr, files.run}, image, info, loaded, files.gamut, files.threads);
+  const ToneSettings tone = previewTone(files.display, image, loaded.scene);
   const Preview preview = developPreview(image, tone);
   writePreview({files.png, files.run}, preview, tone.exposureStops, loaded.text);
   return {tone.exposureStops, preview.badPixels};

@@ -19,11 +19,18 @@ namespace parhelion {
 /// A traced sky, reconstructed as its scene says. `threads` 0: one a processor.
 ReconstructedSky developSky(const TracedSky& traced, const LoadedScene& loaded, int threads);
 
-/// Of a scene with a cloud turns the image of a tally with that info into cd/m^2, draws the sun into it if the scene
-/// makes it visible, and writes it as linear EXR with the scene inside, its colours as `gamut` says; other than exact
-/// ones are noted under kGamutKey. Throws std::runtime_error.
+/// Of a scene with a cloud or air turns the image of a tally with that info into cd/m^2, with air adds what is behind
+/// it (air_background.h), draws the sun into it if the scene makes it visible, and writes it as linear EXR with the
+/// scene inside, its colours as `gamut` says; other than exact ones are noted under kGamutKey. Throws
+/// std::runtime_error.
 void writeSky(const Output& exr, Image& image, const TallyInfo& info, const LoadedScene& loaded,
-              Gamut gamut = Gamut::exact);
+              Gamut gamut = Gamut::exact, int threads = 0);
+
+/// The exposure (stops) that the preview of a finished picture gets where none is asked for.
+double ownExposure(const Image& image, const Scene& scene);
+
+/// How its preview is developed: with that exposure where `how` asks for none. Throws as toneFor() does.
+ToneSettings previewTone(LightDisplay how, const Image& image, const Scene& scene);
 
 /// Whether pictures of a scene are in cd/m^2.
 bool isAbsolute(const Scene& scene);
@@ -41,6 +48,7 @@ struct SkyFiles {
   LightDisplay display;        // of the preview
   Gamut gamut = Gamut::exact;  // of the EXR
   Transaction* run = nullptr;  // with whose other files they appear; none: each by itself
+  int threads = 0;             // for the air's light; 0: one a processor
 };
 
 /// What was written.

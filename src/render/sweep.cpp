@@ -11,7 +11,6 @@
 #include "parallel/loops.h"
 #include "parallel/run_clock.h"
 #include "parallel/threads.h"
-#include "picture/auto_exposure.h"
 #include "picture/exr.h"
 #include "render/mixed_sky.h"
 #include "render/sky_files.h"
@@ -83,7 +82,8 @@ double medianExposure(std::span<const SweepFrame> frames) {
   forEach(frames.size(), [&](std::size_t k) {
     const Image image = readExr(frames[k].exr, ExrColours::rec709, {true}).image;
     const std::vector<float>& green = *image.rgb()[1];
-    if (std::any_of(green.begin(), green.end(), [](float g) { return g > 0.0F; })) own[k] = autoExposure(image);
+    if (std::any_of(green.begin(), green.end(), [](float g) { return g > 0.0F; }))
+      own[k] = ownExposure(image, frames[k].loaded.scene);
   });
   std::vector<double> stops;
   for (const std::optional<double>& exposure : own)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/traced_sky.h"
 
+#include "render/air_background.h"
 #include "render/allocation.h"
 #include "scene/traced_keys.h"
 #include "trace/engine.h"
@@ -9,14 +10,14 @@
 
 namespace parhelion {
 
-Cloud cloudByLight(const Scene& scene) { return Cloud(scene.sun, scene.ice, scene.populations); }
+Cloud cloudByLight(const Scene& scene) { return Cloud(sunAtCloud(scene), scene.ice, scene.populations); }
 
 Cloud cloudOf(const Scene& scene) {
   Cloud byLight = cloudByLight(scene);
   if (scene.trace.allocation == Allocation::light) return byLight;
   std::vector<double> favours = favoursFor(scene, byLight);
   if (favours.empty()) return byLight;
-  return Cloud(scene.sun, scene.ice, scene.populations, std::move(favours));
+  return Cloud(sunAtCloud(scene), scene.ice, scene.populations, std::move(favours));
 }
 
 TraceSettings chosenSettings(const Cloud& cloud, const TraceSettings& asked) {
@@ -29,7 +30,7 @@ TraceSettings chosenSettings(const Cloud& cloud, const TraceSettings& asked) {
 TallyInfo skyInfoOf(const LoadedScene& loaded) {
   const Scene& scene = loaded.scene;
   TallyInfo info;
-  info.white = Spectrum(scene.sun.spectrum).white();
+  info.white = Spectrum(sunAtCloud(scene).spectrum).white();
   info.sunElevation = scene.sun.elevation;
   info.sunDiameter = scene.sun.diameter;
   info.camera = scene.camera;

@@ -163,6 +163,13 @@ std::string describe(const CameraSettings& camera) {
   return description.text();
 }
 
+std::string describe(const SkySettings& sky, const ObserverSettings& observer) {
+  return "ozone " + plain(sky.ozone) + " Dobson units; aerosol beta " + plain(sky.aerosol.beta) + ", alpha " +
+         plain(sky.aerosol.alpha) + ", albedo " + plain(sky.aerosol.albedo) + ", g " + plain(sky.aerosol.g) +
+         ", height " + plain(sky.aerosol.height) + " m; ground of albedo " + plain(sky.ground) + "; seen from " +
+         plain(observer.altitude) + " m";
+}
+
 std::string describe(const TraceSettings& trace) {
   return std::to_string(trace.rays) + " rays, seed " + std::to_string(trace.seed) + ", engine " +
          std::string(nameOf(trace.engine)) + ", path " + std::string(nameOf(trace.path)) + ", sampler " +
@@ -196,6 +203,7 @@ std::string describeScene(const Scene& scene) {
   }
   if (scene.cloud) text += row("cloud", "optical depth " + plain(scene.cloud->opticalDepth) + ", light scattered once");
   for (const LayerSettings& layer : scene.trace.paths.layers) text += row("layer", describe(layer));
+  if (scene.sky.air) text += row("air", describe(scene.sky, scene.observer));
   text += row("camera", describe(scene.camera)) + row("trace", describe(scene.trace));
   return text + row("recon", std::string(nameOf(scene.recon)));
 }

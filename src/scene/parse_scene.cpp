@@ -66,6 +66,15 @@ void pointFromSun(const toml::table& root, Scene& scene, Complaints& complaints)
                  "give [sun] a date with latitude and longitude, or an azimuth beside its elevation");
 }
 
+/// Complains about light that is not the sun's where the air scatters it.
+void checkAir(const toml::table& root, const Scene& scene, Complaints& complaints) {
+  const toml::node* node = root["sun"]["spectrum"].node();
+  const auto* light = std::get_if<ContinuousSpectrum>(&scene.sun.spectrum);
+  if (!scene.sky.air || !node || (light && light->source == ContinuousSpectrum::Source::extraterrestrial)) return;
+  complaints.add(placeOf(node->source(), complaints), "with 'sky.air' the sun has a spectrum of its own",
+                 "leave 'spectrum' out, or say \"sun\"; the air reddens it by itself");
+}
+
 Scene readScene(const toml::table& root, Complaints& complaints) {
   Scene scene;
   TableReader reader(root, "", complaints);
@@ -76,6 +85,7 @@ Scene readScene(const toml::table& root, Complaints& complaints) {
   }
   pointFromSun(root, scene, complaints);
   checkSymmetry(root, scene, complaints);
+  checkAir(root, scene, complaints);
   addLayerPerPopulation(root, scene, complaints);
   checkLayers(root, scene, complaints);
   return scene;

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "air/air_settings.h"
 #include "crystal/population_settings.h"
 #include "optics/light_settings.h"
 #include "recon/recon_settings.h"
@@ -20,6 +21,8 @@ struct Scene {
   std::vector<PopulationSettings> populations;  // at least one
   std::optional<SlabSettings> cloud;            // none: single crystals, in units of the light that they intercept
   CameraSettings camera;
+  SkySettings sky;
+  ObserverSettings observer;
   TraceSettings trace;
   ReconSettings recon;
 };

@@ -65,6 +65,43 @@ void visitKeys(Visitor& v, SunKeys& keys) {
 }
 
 template <class Visitor>
+void visitKeys(Visitor& v, AerosolSettings& a) {
+  v.key("beta", kinds::Number{{0, 10}}, a.beta,
+        "Vertical optical depth at 1000 nm. Clean air 0.02 to 0.05, haze 0.2 and more.");
+  v.key("alpha", kinds::Number{{-1, 4}}, a.alpha, "The depth falls with this power of the wavelength.");
+  v.key("albedo", kinds::AerosolAlbedo{}, a.albedo, "Share of the light it takes from a beam that it scatters.");
+  v.key("g", kinds::Number{{-0.95, 0.95}}, a.g, "Mean cosine of the angle by which it scatters.");
+  v.key("height", kinds::Number{{100, 20000}}, a.height, "Height in which its density falls to 1/e, m.");
+}
+
+/// The ground as a table.
+struct GroundKeys {
+  double albedo = SkySettings{}.ground;
+};
+
+template <class Visitor>
+void visitKeys(Visitor& v, GroundKeys& ground) {
+  v.key("albedo", kinds::Number{{0, 1}}, ground.albedo, "Share of light that the ground reflects.");
+}
+
+template <class Visitor>
+void visitKeys(Visitor& v, SkySettings& sky) {
+  v.key("air", kinds::Flag{}, sky.air,
+        "Show the sky behind the halo, and the ground, by the light of the air: pictures are in absolute units then.");
+  v.key("ozone", kinds::Number{{0, 1000}}, sky.ozone, "Column of ozone, Dobson units.");
+  v.key("aerosol", kinds::Aerosol{}, sky.aerosol,
+        "Fine particles in the air: a table, or a number, which is its 'beta'.");
+  v.key("ground", kinds::Ground{}, sky.ground,
+        "The ground below the horizon: \"snow\" (albedo 0.8), \"grass\" (0.1), \"sea\" (0.06), or { albedo = 0.15 }, "
+        "which is the default.");
+}
+
+template <class Visitor>
+void visitKeys(Visitor& v, ObserverSettings& observer) {
+  v.key("altitude", kinds::Number{{0, 50000}}, observer.altitude, "Of the observer, in the air, m above sea level.");
+}
+
+template <class Visitor>
 void visitKeys(Visitor& v, IceSettings& ice) {
   v.key(
       "index", kinds::IceIndex{}, ice,
@@ -252,6 +289,8 @@ void visitKeys(Visitor& v, Scene& scene) {
   v.key("layer", kinds::Layers{}, scene.trace.paths.layers,
         "Light to be told apart: each exit goes to the first layer that takes it, what none takes to the rest.");
   v.key("camera", kinds::CameraTable{}, scene.camera, "Where the image looks.");
+  v.key("sky", kinds::Table<SkySettings>{"[sky]"}, scene.sky, "The air and the ground behind the halo.");
+  v.key("observer", kinds::Table<ObserverSettings>{"[observer]"}, scene.observer, "Where the picture is taken.");
   v.key("trace", kinds::Table<TraceSettings>{"[trace]"}, scene.trace, "How light is followed.");
   v.key("recon", kinds::Recon{}, scene.recon, "How the image is made of the hits.");
 }

@@ -32,6 +32,21 @@ constexpr std::string_view nameOf(OrientationName value) {
   return {};
 }
 
+/// Kinds of ground that have names.
+enum class GroundName { snow, grass, sea };
+
+constexpr std::string_view nameOf(GroundName value) {
+  switch (value) {
+    case GroundName::snow:
+      return "snow";
+    case GroundName::grass:
+      return "grass";
+    case GroundName::sea:
+      return "sea";
+  }
+  return {};
+}
+
 /// The defaults of a camera with this projection.
 CameraSettings defaultCamera(Projection projection);
 
@@ -83,6 +98,27 @@ struct Slab {
   bool read(const Value& in, std::optional<SlabSettings>& out) const;
   Json schema() const;
   Json write(const std::optional<SlabSettings>&) const { return {}; }
+};
+
+/// The aerosol of the air: its beta, or a table.
+struct Aerosol {
+  bool read(const Value& in, AerosolSettings& out) const;
+  Json schema() const;
+  Json write(const AerosolSettings&) const { return {}; }
+};
+
+/// The albedo of the aerosol.
+struct AerosolAlbedo {
+  bool read(const Value& in, double& out) const;
+  Json schema() const;
+  Json write(double value) const { return value; }
+};
+
+/// The albedo of the ground: its name, or a table.
+struct Ground {
+  bool read(const Value& in, double& out) const;
+  Json schema() const;
+  Json write(double) const { return {}; }
 };
 
 /// The list of [[population]] tables.

@@ -63,6 +63,20 @@ class KeyLister {
     put("ice.index", index);
   }
 
+  /// The air reddens the light that reaches the crystals.
+  void sky(const SkySettings& settings, const ObserverSettings& observer) {
+    const auto& [air, ozone, aerosol, ground] = settings;
+    static_cast<void>(ground);  // seen afterwards
+    if (!air) return;
+    const auto& [beta, alpha, albedo, g, height] = aerosol;
+    static_cast<void>(albedo);  // likewise
+    static_cast<void>(g);       // likewise
+    put("sky.ozone", digitsOf(ozone));
+    put("sky.aerosol", digitsOf(beta) + " " + digitsOf(alpha) + " " + digitsOf(height));
+    const auto& [altitude] = observer;
+    put("observer.altitude", digitsOf(altitude));
+  }
+
   void population(std::size_t number, const PopulationSettings& settings) {
     const auto& [name, weight, shape, orientation] = settings;
     prefix_ = "population." + std::to_string(number) + ".";
@@ -156,6 +170,7 @@ KeyLister listed(const Scene& scene, const TraceSettings& trace) {
   lister.namesMatter = trace.paths.filter || !trace.paths.layers.empty();
   lister.sun(scene.sun);
   lister.ice(scene.ice);
+  lister.sky(scene.sky, scene.observer);
   for (std::size_t i = 0; i < scene.populations.size(); ++i) lister.population(i, scene.populations[i]);
   lister.trace(trace);
   return lister;

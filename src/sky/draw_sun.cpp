@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string>
 
 #include "math/rotation.h"
 
@@ -78,18 +79,23 @@ class PixelMean {
   int onSky_ = 0;
 };
 
-void addToPixel(Image& image, int pixel, double radiance) {
+void addToPixel(Image& image, int pixel, const Vec3& radiance) {
   for (Channel& channel : image.channels)
-    if (channel.name == "R" || channel.name == "G" || channel.name == "B")
-      channel.samples[pixel] += static_cast<float>(radiance);
+    for (int c = 0; c < 3; ++c)
+      if (channel.name == std::string(1, "RGB"[c])) channel.samples[pixel] += static_cast<float>(radiance[c]);
 }
 
 }  // namespace
 
 void drawUndeviatedSun(Image& image, const Camera& camera, const Sun& sun, double share) {
+  drawSun(image, camera, sun, [share](const Vec3&) { return Vec3(share); });
+}
+
+void drawSun(Image& image, const Camera& camera, const Sun& sun, const std::function<Vec3(const Vec3& toSky)>& light) {
   if (sun.isPoint()) {
     if (const auto pixel = camera.pixelAt(sun.toCentre()))
-      addToPixel(image, *pixel, share / camera.solidAngle(*pixel % camera.width(), *pixel / camera.width()));
+      addToPixel(image, *pixel,
+                 light(sun.toCentre()) / camera.solidAngle(*pixel % camera.width(), *pixel / camera.width()));
     return;
   }
   for (int y = 0; y < camera.height(); ++y)
@@ -104,7 +110,7 @@ void drawUndeviatedSun(Image& image, const Camera& camera, const Sun& sun, doubl
       const int samples = std::clamp(static_cast<int>(std::ceil(kSamplesAcrossDisc * side / sun.diameter())), 4,
                                      kMostSamplesAcrossPixel);
       if (const double radiance = PixelMean(camera, sun, x, y, samples).value(); radiance > 0.0)
-        addToPixel(image, y * camera.width() + x, share * radiance);
+        addToPixel(image, y * camera.width() + x, radiance * light(*centre));
     }
 }
 

@@ -64,6 +64,7 @@ const SceneClaims kClaims[] = {
       {What::inVertical, 50.4},
       {What::inVertical, 69.0}}},
     {"evening.toml", {{What::ring, 21.9}, {What::atElevation, 22.2, 7}, {What::inVertical, 28.9}}},
+    {"blue-noon.toml", {{What::ring, 21.9}, {What::atElevation, 26.4, 25}}},
     {"plates-and-pencils.toml",
      {{What::atElevation, 26.4, 25}, {What::inVertical, 71.3}, {What::inVertical, 46.9}, {What::inVertical, 3.1}}},
 };
@@ -138,7 +139,7 @@ TEST_CASE("of every population's symmetry the most is used: rings for random cry
 TEST_CASE("every scene shows at 550 nm what its header says, where it says it") {
   for (const SceneClaims& scene : kClaims) {
     CAPTURE(scene.file);
-    const std::vector<std::string> overrides{"sun.spectrum=550", "sun.diameter=0"};
+    const std::vector<std::string> overrides{"sun.spectrum=550", "sun.diameter=0", "sky.air=false"};
     const Scene settings = loadScene(kScenes / scene.file, overrides).scene;
     std::vector<Histogram> histograms;
     for (const Claim& claim : scene.claims) histograms.push_back(around(claim));

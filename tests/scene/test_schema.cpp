@@ -46,7 +46,7 @@ TEST_CASE("the schema is draft-04 JSON and asks for populations") {
 
 TEST_CASE("the schema has exactly the keys that the parser accepts") {
   CHECK(keysOf(schema()) == acceptedIn("zzz = 1\n[[population]]"));
-  for (const char* name : {"sun", "ice", "camera", "trace", "recon"}) {
+  for (const char* name : {"sun", "ice", "camera", "sky", "observer", "trace", "recon"}) {
     CAPTURE(name);
     CHECK(keysOf(tables()[name]) == acceptedIn(std::string("[").append(name) + "]\nzzz = 1\n[[population]]"));
   }
@@ -95,7 +95,7 @@ TEST_CASE("the schema's defaults are those of the settings") {
 TEST_CASE("a scene that writes out every default is the scene that leaves them out") {
   const Json t = tables();
   std::string text = "[[population]]\n";
-  for (const char* name : {"sun", "ice", "camera", "trace", "recon"}) {
+  for (const char* name : {"sun", "ice", "camera", "sky", "observer", "trace", "recon"}) {
     text.append("[").append(name).append("]\n");
     for (const auto& [key, value] : t[name]["properties"].items()) {
       if (value.contains("default")) text += key + " = " + value["default"].dump() + '\n';

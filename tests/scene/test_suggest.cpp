@@ -46,7 +46,9 @@ TEST_CASE("an unknown key is answered with the closest key, the accepted ones an
       "it belongs to [trace]; accepted: azimuth, date, diameter, elevation, latitude, longitude, refraction, spectrum, "
       "visible");
   CHECK(errorsOf("elevation = 1\n[[population]]").at(0).hint ==
-        "it belongs to [sun] or [camera]; accepted: camera, cloud, ice, layer, layers, population, recon, sun, trace");
+        "it belongs to [sun] or [camera]; accepted: camera, cloud, ice, layer, layers, observer, population, recon, "
+        "sky, sun, "
+        "trace");
   CHECK(errorsOf("[camera]\ntilt = 1\n[[population]]")
             .at(0)
             .hint.starts_with("it belongs to [[population]] or [[layer]];"));

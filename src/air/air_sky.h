@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "air/many_scatterings.h"
+
+namespace parhelion {
+
+inline constexpr double kEyeHeight = 0.002;  // km, of an observer above the ground
+
+/// The air and the ground as an observer sees them, without the sun's disc. Light scattered once is integrated along
+/// lines of sight through spherical shells; what is scattered more often is approximated (many_scatterings.h).
+///
+/// Everything but the phase functions changes slowly over the sky, and is kept in a table of directions. The phase
+/// functions come to it at each place that is asked for, so that the bright sky around the sun is not smoothed.
+class AirSky {
+ public:
+  /// For an observer at `altitude` (km) whose eyes are 2 m above it, and a sun at an elevation (rad). All processors
+  /// that the caller has work on it; the bits are the same for any number. `bands` must outlive it.
+  AirSky(const SkySettings& settings, double altitude, double sunElevation, const LightBands& bands = sunBands());
+
+  /// Radiance toward a unit world vector. The sun's azimuth is +x. CIE XYZ with Y in cd/m^2, for sunBands().
+  Vec3 radiance(const Vec3& toSky) const;
+
+  /// The sun's light as it comes through the air at an elevation (rad), as if all of the disc stood there: XYZ, Y in
+  /// lux. 0 below the horizon.
+  Vec3 sunlightFrom(double elevation) const;
+
+  /// Sunlight that arrives at the observer, square to it, of the part of the disc above the horizon: XYZ with Y in lux.
+  Vec3 sunlight() const { return sunlight_; }
+
+  /// Elevation of the horizon, rad.
+  double horizon() const { return horizon_; }
+
+ private:
+  /// What the phase functions multiply, and what is the same whatever the angle from the sun.
+  struct Light {
+    Vec3 rayleigh{0.0}, aerosol{0.0};
+    Vec3 again{0.0};  // by aerosols, of light that others of them have sent on nearly forwards
+    Vec3 even{0.0};
+  };
+  struct Air;
+  static Light mix(const Light& a, const Light& b, double t);
+
+  void fill(std::vector<Light>& table, int rows, const Air& air);
+  Light alongRay(const ViewRay& ray, const Air& air, double sine, double cosine) const;
+  Light between(const std::vector<Light>& table, int rows, double row, double azimuth) const;
+
+  Atmosphere air_;
+  const LightBands& bands_;
+  RayPlace eye_;
+  double g_, restG_;  // of aerosols' phase function; without what goes on nearly forwards
+  double horizon_;
+  Vec3 toSun_;
+  std::vector<Light> above_, below_;  // the horizon; by elevation and azimuth
+  Vec3 sunlight_{0.0};
+};
+
+}  // namespace parhelion

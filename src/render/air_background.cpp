@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/air_background.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "air/air_sky.h"
+#include "math/portable.h"
+#include "math/rotation.h"
+#include "optics/spectrum.h"
+#include "optics/sun.h"
+#include "optics/tables.h"
+#include "parallel/loops.h"
+#include "parallel/threads.h"
+#include "picture/colour_space.h"
+#include "render/slab_light.h"
+#include "sky/draw_sun.h"
+#include "sky/radiance.h"
+
+namespace parhelion {
+
+namespace {
+
+constexpr double kMetresPerKilometre = 1000.0;
+
+// Vertical optical depth of a cloud of which a scene says nothing: so thin that it dims little.
+constexpr double kThinDepth = 0.05;
+
+double altitudeOf(const Scene& scene) { return scene.observer.altitude / kMetresPerKilometre; }
+
+/// The light of the scene's cloud, or of a thin one.
+SlabLight cloudLight(const Scene& scene, double undeviated) {
+  Scene cloudy = scene;
+  if (!cloudy.cloud) cloudy.cloud = SlabSettings{kThinDepth};
+  return SlabLight(cloudy, undeviated);
+}
+
+/// The mean of the background over a pixel through which the horizon goes, by a grid of samples.
+Vec3 meanOver(const AirSky& sky, const Camera& camera, int x, int y) {
+  constexpr int kSamples = 4;
+  Vec3 sum(0.0);
+  int onSky = 0;
+  for (int j = 0; j < kSamples; ++j)
+    for (int i = 0; i < kSamples; ++i) {
+      const auto toSky = camera.toSky(Vec2(x + (i + 0.5) / kSamples, y + (j + 0.5) / kSamples));
+      if (!toSky) continue;
+      sum += sky.radiance(*toSky);
+      ++onSky;
+    }
+  return onSky > 0 ? sum / double(onSky) : sum;
+}
+
+/// Channels of a picture by what they hold.
+struct Planes {
+  struct Colours {
+    float *r, *g, *b;
+  };
+  explicit Planes(Image& image) {
+    const auto find = [&](const std::string& name) -> float* {
+      for (Channel& channel : image.channels)
+        if (channel.name == name) return channel.samples.data();
+      return nullptr;
+    };
+    for (const Channel& channel : image.channels) {
+      if (channel.name != "R" && !channel.name.ends_with(".R")) continue;
+      const std::string before = channel.name.substr(0, channel.name.size() - 1);
+      const Colours colours{find(channel.name), find(before + "G"), find(before + "B")};
+      if (!colours.g || !colours.b) continue;
+      (before.empty() ? whole : layers).push_back(colours);
+    }
+    variance = find(kVarianceChannel);
+    bias = find(kBiasChannel);
+  }
+
+  std::vector<Colours> whole, layers;  // `whole` is one
+  float *variance, *bias;
+};
+
+class Background {
+ public:
+  Background(Image& image, const Camera& camera, const TallyInfo& info, const Scene& scene)
+      : image_(image),
+        camera_(camera),
+        scene_(scene),
+        planes_(image),
+        sky_(scene.sky, altitudeOf(scene), scene.sun.elevation),
+        toRec709_(xyzToRec709()),
+        slab_(cloudLight(scene, info.undeviatedFraction())),
+        arriving_(sky_.sunlight().y / solarIlluminance(scene.sun.spectrum)),
+        fromHalo_(arriving_ * (toRec709_ * rec709ToXyz(info.white))) {}
+
+  void add() {
+    slab_.apply(image_, camera_);
+    forRows(image_.height, [&](int y) {
+      for (int x = 0; x < image_.width; ++x) addTo(x, y);
+    });
+  }
+
+  /// Its disc, with its limb darkening, each part as reddened as its elevation asks for.
+  void drawTheSun() {
+    const double through = slab_.directIlluminance() / solarIlluminance(scene_.sun.spectrum);
+    drawSun(image_, camera_, Sun(scene_.sun), [&](const Vec3& toSky) {
+      return through * toRec709_ * sky_.sunlightFrom(portable::atan2(toSky.z, std::hypot(toSky.x, toSky.y)));
+    });
+  }
+
+ private:
+  void addTo(int x, int y) {
+    const auto toSky = camera_.toSky(Vec2(x + 0.5, y + 0.5));
+    // Below the horizon there is ice only where the observer is in the air.
+    const bool hasIce = toSky && (toSky->z > 0.0 || scene_.observer.altitude > 0.0);
+    const double factor = hasIce ? 1.0 : 0.0;
+    const std::size_t i = static_cast<std::size_t>(y) * static_cast<std::size_t>(image_.width) + std::size_t(x);
+    const auto rescale = [&](const Planes::Colours& plane, const Vec3& more) {
+      const Vec3 rgb = factor * (fromHalo_ * Vec3(plane.r[i], plane.g[i], plane.b[i])) + more;
+      plane.r[i] = static_cast<float>(rgb.x);
+      plane.g[i] = static_cast<float>(rgb.y);
+      plane.b[i] = static_cast<float>(rgb.z);
+    };
+    for (const Planes::Colours& layer : planes_.layers) rescale(layer, Vec3(0.0));
+    for (const Planes::Colours& whole : planes_.whole) rescale(whole, toSky ? behind(*toSky, x, y) : Vec3(0.0));
+    const auto brightness = static_cast<float>(factor * arriving_);
+    if (planes_.variance) planes_.variance[i] *= brightness * brightness;
+    if (planes_.bias) planes_.bias[i] *= brightness;
+  }
+
+  Vec3 behind(const Vec3& toSky, int x, int y) const {
+    constexpr double kReach = 2.0;  // pixels, more than half of one's diagonal wherever lenses stretch them
+    const bool isAtHorizon = std::abs(toSky.z - portable::sin(sky_.horizon())) * camera_.focalLength() < kReach;
+    return toRec709_ * (isAtHorizon ? meanOver(sky_, camera_, x, y) : sky_.radiance(toSky));
+  }
+
+  Image& image_;
+  const Camera& camera_;
+  const Scene& scene_;
+  Planes planes_;
+  AirSky sky_;
+  Mat3 toRec709_;
+  SlabLight slab_;   // in sunlight as it is above the air
+  double arriving_;  // share of that which reaches the crystals
+  Mat3 fromHalo_;    // from the slab's light to Rec.709
+};
+
+}  // namespace
+
+SunSettings sunAtCloud(const Scene& scene) {
+  SunSettings sun = scene.sun;
+  auto* light = std::get_if<ContinuousSpectrum>(&sun.spectrum);
+  if (!scene.sky.air || !light) return sun;
+  const Atmosphere air(scene.sky);
+  std::vector<double> transmittance;
+  double most = 0.0;
+  for (int i = 0; i < kVisibleNodes; ++i) {
+    transmittance.push_back(air.sunTransmittance(kVisibleFirst + i, altitudeOf(scene) + kEyeHeight, sun.elevation));
+    most = std::max(most, transmittance.back());
+  }
+  if (most > 0.0) light->transmittance = std::move(transmittance);
+  return sun;
+}
+
+void addAir(Image& image, const Camera& camera, const TallyInfo& info, const Scene& scene, int threads) {
+  withThreads(threads, [&] {
+    Background background(image, camera, info, scene);
+    background.add();
+    if (scene.sun.visible) background.drawTheSun();
+    return true;
+  });
+}
+
+}  // namespace parhelion

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <string>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+#include "scene/describe.h"
+#include "scene/traced_keys.h"
+#include "scene_support.h"
+
+using namespace parhelion;
+using namespace parhelion::test;
+
+namespace {
+
+std::vector<std::string> linesWith(const std::string& tables) { return linesOf(errorsOf(tables + "\n[[population]]")); }
+
+std::uint64_t hashWith(const std::string& tables) {
+  const Scene scene = sceneWith(tables);
+  return hashOf(talliedKeys(scene, scene.trace));
+}
+
+}  // namespace
+
+TEST_CASE("a scene says its air in numbers, tables and names") {
+  const Scene scene = sceneWith(
+      "observer = { altitude = 1200 }\n[sky]\nair = true\nozone = 344\nground = 'snow'\n"
+      "aerosol = { beta = 0.1, alpha = 1.0, albedo = 0.9, g = 0.6, height = 2000 }");
+  CHECK(scene.sky.air);
+  CHECK(scene.sky.ozone == 344.0);
+  CHECK(scene.sky.aerosol.beta == 0.1);
+  CHECK(scene.sky.aerosol.alpha == 1.0);
+  CHECK(scene.sky.aerosol.albedo == 0.9);
+  CHECK(scene.sky.aerosol.g == 0.6);
+  CHECK(scene.sky.aerosol.height == 2000.0);
+  CHECK(scene.sky.ground == 0.8);
+  CHECK(scene.observer.altitude == 1200.0);
+  const Scene shorter = sceneWith("sky = { aerosol = 0.2, ground = { albedo = 0.3 } }");
+  CHECK_FALSE(shorter.sky.air);
+  CHECK(shorter.sky.aerosol.beta == 0.2);
+  CHECK(shorter.sky.aerosol.alpha == AerosolSettings{}.alpha);
+  CHECK(shorter.sky.ground == 0.3);
+}
+
+TEST_CASE("air that cannot be is told in one error each") {
+  CHECK(linesWith("sky.aerosol = { albedo = 1.2 }") ==
+        std::vector<std::string>{"1:26 'albedo' must be a number from 0 to 1, not 1.2"});
+  CHECK(errorsOf("sky.aerosol = { albedo = -0.1 }\n[[population]]").at(0).hint ==
+        "an aerosol cannot absorb or scatter more than it extinguishes");
+  CHECK(linesWith("sky.aerosol = -0.1") ==
+        std::vector<std::string>{"1:15 'aerosol' must be a number from 0 to 10 or a table, not -0.1"});
+  CHECK(linesWith("sky.aerosol = { beta = -1 }") ==
+        std::vector<std::string>{"1:24 'beta' must be a number from 0 to 10, not -1"});
+  CHECK(linesWith("sky.ozone = -300") ==
+        std::vector<std::string>{"1:13 'ozone' must be a number from 0 to 1000, not -300"});
+  CHECK(linesWith("sky.ground = { albedo = 2 }") ==
+        std::vector<std::string>{"1:25 'albedo' must be a number from 0 to 1, not 2"});
+  CHECK(errorsOf("sky.ground = 'snw'\n[[population]]").at(0).hint.find("did you mean 'snow'?") == 0);
+  CHECK(linesWith("observer.altitude = -5") ==
+        std::vector<std::string>{"1:21 'altitude' must be a number from 0 to 50000, not -5"});
+  CHECK(linesWith("sky.air = true\nsun.spectrum = 'D65'") ==
+        std::vector<std::string>{"2:16 with 'sky.air' the sun has a spectrum of its own"});
+  CHECK(linesWith("sky.air = true\nsun.spectrum = 'sun'").empty());
+}
+
+TEST_CASE("a summary tells the air where there is one") {
+  CHECK(describeScene(sceneWith("sky.air = true")).find("\nair         ozone 300 Dobson units; aerosol beta 0.03, ") !=
+        std::string::npos);
+  CHECK(describeScene(sceneWith("")).find("\nair ") == std::string::npos);
+}
+
+TEST_CASE("what reddens the sun decides what becomes of rays, the ground does not") {
+  const std::uint64_t none = hashWith(""), air = hashWith("sky.air = true");
+  CHECK(hashWith("sky.ozone = 500") == none);
+  CHECK(air != none);
+  CHECK(hashWith("sky = { air = true, ground = 'snow' }") == air);
+  CHECK(hashWith("sky = { air = true, aerosol = { g = 0.5, albedo = 0.8 } }") == air);
+  CHECK(hashWith("sky = { air = true, ozone = 200 }") != air);
+  CHECK(hashWith("sky = { air = true, aerosol = 0.2 }") != air);
+  CHECK(hashWith("sky.air = true\nobserver.altitude = 2000") != air);
+}
