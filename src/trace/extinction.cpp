@@ -21,7 +21,7 @@ namespace {
 constexpr int kShadowRows = 31, kUndeviatedRows = 13, kAzimuths = 24;
 // For each direction: crystals whose shadows are measured, and rays that show what passes undeviated.
 constexpr int kCrystals = 4096;
-constexpr std::uint64_t kRays = 8192, kRaysOfOne = 131072;
+constexpr std::uint64_t kRays = 32768, kRaysOfOne = 131072;
 
 bool hasFreeAzimuths(const PopulationSettings& population) {
   const auto* axis = std::get_if<AxisOrientation>(&population.orientation);
