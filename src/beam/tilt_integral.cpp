@@ -240,8 +240,9 @@ class TiltIntegration {
           for (float& channel : other) channel *= static_cast<float>(perSolidAngle(column, row) / per);
           if (!isLight(light) || other[luminance] < light[luminance]) light = other;
         }
-      const double most = error / std::max(static_cast<double>(light[luminance]), error);
-      for (float& channel : light) channel *= static_cast<float>(most);
+      const auto lit = static_cast<double>(light[luminance]);
+      if (lit > error)
+        for (float& channel : light) channel *= static_cast<float>(error / lit);
     }
     for (float& channel : light) channel = std::max(channel, 0.0F);
     return light;
