@@ -24,18 +24,18 @@ double elevationOf(double masses) { return std::asin(1.0 / masses); }
 
 TEST_CASE("Rayleigh's vertical depth is 0.360, 0.0973 and 0.0365 at 400, 550 and 700 nm") {
   for (const auto& [wavelength, depth] : {std::pair{400.0, 0.360}, {550.0, 0.0973}, {700.0, 0.0365}})
-    CHECK(kAir.depths(wavelength).rayleigh == doctest::Approx(depth).epsilon(0.01));
+    CHECK(std::abs(kAir.depths(wavelength).rayleigh / depth - 1.0) < 0.01);
 }
 
 TEST_CASE("300 Dobson units of ozone have a depth of 0.0405 near 600 nm") {
-  CHECK(kAir.depths(605.0).ozone == doctest::Approx(0.0405).epsilon(0.01));
+  CHECK(std::abs(kAir.depths(605.0).ozone / 0.0405 - 1.0) < 0.01);
   SkySettings twice;
   twice.ozone *= 2.0;
-  CHECK(Atmosphere(twice).depths(605.0).ozone == doctest::Approx(2.0 * kAir.depths(605.0).ozone));
+  CHECK(std::abs(Atmosphere(twice).depths(605.0).ozone / kAir.depths(605.0).ozone - 2.0) < 1e-12);
 }
 
 TEST_CASE("the aerosol's depth follows Angstrom's law") {
-  CHECK(kAir.depths(500.0).aerosol == doctest::Approx(0.03 * std::pow(0.5, -1.3)).epsilon(1e-12));
+  CHECK(std::abs(kAir.depths(500.0).aerosol / (0.03 * std::pow(0.5, -1.3)) - 1.0) < 1e-12);
 }
 
 TEST_CASE("a vertical path has one air mass of each constituent") {
@@ -114,7 +114,7 @@ TEST_CASE("the earth hides the sun below the horizon, which is lower for who sta
   CHECK(kAir.sunTransmittance(550.0, 10.0, radians(-3.6)) == 0.0);
   CHECK(kAir.transmittance(550.0, 0.0, radians(-0.1)) == 0.0);
   // Half of the disc is above the horizon.
-  CHECK(kAir.sunTransmittance(700.0, 0.0, 0.0) == doctest::Approx(0.5 * kAir.transmittance(700.0, 0.0, 0.0)));
+  CHECK(std::abs(kAir.sunTransmittance(700.0, 0.0, 0.0) / kAir.transmittance(700.0, 0.0, 0.0) - 0.5) < 1e-9);
 }
 
 TEST_CASE("sunlight fades without a step as the sun sets") {
