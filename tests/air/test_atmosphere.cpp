@@ -118,11 +118,14 @@ TEST_CASE("the earth hides the sun below the horizon, which is lower for who sta
 }
 
 TEST_CASE("sunlight fades without a step as the sun sets") {
-  double before = kAir.sunTransmittance(650.0, 0.0, radians(1.0));
+  SkySettings settings;
+  settings.aerosol.beta = 0.0;  // so that much is left at the horizon
+  const Atmosphere air(settings);
+  double before = air.sunTransmittance(650.0, 0.0, radians(1.0));
   for (double elevation = 0.99; elevation > -0.4; elevation -= 0.01) {
-    const double now = kAir.sunTransmittance(650.0, 0.0, radians(elevation));
+    const double now = air.sunTransmittance(650.0, 0.0, radians(elevation));
     CHECK(now <= before);
-    CHECK(before - now < 0.002);
+    CHECK(before - now < 0.008);
     before = now;
   }
   CHECK(before == 0.0);
