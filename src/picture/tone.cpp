@@ -10,6 +10,7 @@
 namespace parhelion {
 namespace {
 
+constexpr double kLinearFade = 8.0;       // the same of the linear curve, for which all above 1 is over-exposed
 constexpr double kHighlightFade = 128.0;  // exposed value at which a colour is half way to white
 
 constexpr double kMidGrey = 0.18;     // of white
@@ -56,8 +57,7 @@ Vec3 toneCurve(const Vec3& exposed, ToneCurve curve) {
 
   const double peak = peakOf(norm, curve);
   const Vec3 saturated = colour / norm;
-  if (curve == ToneCurve::linear) return peak * saturated;
-  const double fade = norm / kHighlightFade;
+  const double fade = curve == ToneCurve::linear ? std::max(norm - 1.0, 0.0) / kLinearFade : norm / kHighlightFade;
   const double towardWhite = fade < 1.0 ? fade * fade / (1.0 + fade * fade) : 1.0 / (1.0 + 1.0 / fade / fade);
   return peak * (saturated + towardWhite * (Vec3(1.0) - saturated));
 }

@@ -38,8 +38,9 @@ struct ToneSettings {
 };
 
 /// Exposed linear Rec.709 to display-linear Rec.709 in [0, 1]: colours out of gamut are mixed with the grey of their
-/// luminance just as far as needed, the largest component goes through the curve and the others in proportion. But for
-/// the linear curve, far highlights fade to white, half way at 128. Black for components that are not finite.
+/// luminance just as far as needed, the largest component goes through the curve and the others in proportion. Far
+/// highlights fade to white: half way at 128, and at 9 on the linear curve, which shows all up to 1 as it is. Black for
+/// components that are not finite.
 Vec3 toneCurve(const Vec3& exposed, ToneCurve curve = ToneCurve::reinhard);
 
 /// The light that a curve shows as mid-grey, 18 % of white.

@@ -25,17 +25,7 @@ namespace {
 
 constexpr double kMetresPerKilometre = 1000.0;
 
-// Vertical optical depth of a cloud of which a scene says nothing: so thin that it dims little.
-constexpr double kThinDepth = 0.05;
-
 double altitudeOf(const Scene& scene) { return scene.observer.altitude / kMetresPerKilometre; }
-
-/// The light of the scene's cloud, or of a thin one.
-SlabLight cloudLight(const Scene& scene, double undeviated) {
-  Scene cloudy = scene;
-  if (!cloudy.cloud) cloudy.cloud = SlabSettings{kThinDepth};
-  return SlabLight(cloudy, undeviated);
-}
 
 /// The mean of the background over a pixel through which the horizon goes, by a grid of samples.
 Vec3 meanOver(const AirSky& sky, const Camera& camera, int x, int y) {
@@ -87,7 +77,7 @@ class Background {
         planes_(image),
         sky_(scene.sky, altitudeOf(scene), scene.sun.elevation),
         toRec709_(xyzToRec709()),
-        slab_(cloudLight(scene, info.undeviatedFraction())),
+        slab_(scene, info.undeviatedFraction()),
         arriving_(sky_.sunlight().y / solarIlluminance(scene.sun.spectrum)),
         fromHalo_(arriving_ * (toRec709_ * rec709ToXyz(info.white))) {}
 

@@ -17,6 +17,8 @@ namespace parhelion {
 
 namespace {
 
+// Vertical optical depth of crystals of which a scene does not say how many there are.
+constexpr double kThinDepth = 0.05;
 // Light along the horizon has gone through a cloud without end: the sine of the elevation is never taken for less.
 constexpr double kLevel = 1e-6;
 // Of elevations, where azimuths do not matter: closer toward the horizon.
@@ -35,15 +37,16 @@ bool isError(std::string_view channel) { return channel == kVarianceChannel; }
 
 SlabLight::SlabLight(const Scene& scene, double undeviated)
     : extinction_(scene.sun, scene.ice, scene.populations),
-      opticalDepth_(scene.cloud->opticalDepth),
+      opticalDepth_(scene.cloud ? scene.cloud->opticalDepth : kThinDepth),
       illuminance_(solarIlluminance(scene.sun.spectrum)),
       toSun_(Sun(scene.sun).toCentre()),
       sunShadow_(extinction_.at(toSun_).shadow),
-      fromSun_(opticalDepth_ * (1.0 - undeviated) * sunShadow_ / std::max(toSun_.z, kLevel)) {
+      isLit_(!scene.cloud || toSun_.z > 0.0),
+      fromSun_(scene.cloud ? opticalDepth_ * (1.0 - undeviated) * sunShadow_ / std::max(toSun_.z, kLevel) : 0.0) {
   if (extinction_.isSameAllAround()) tabulate();
 }
 
-double SlabLight::directIlluminance() const { return toSun_.z > 0.0 ? illuminance_ * portable::exp(-fromSun_) : 0.0; }
+double SlabLight::directIlluminance() const { return isLit_ ? illuminance_ * portable::exp(-fromSun_) : 0.0; }
 
 double SlabLight::luminanceAt(const Vec3& toSky) const {
   if (byElevation_.empty()) return exactLuminanceAt(toSky);
@@ -65,7 +68,7 @@ void SlabLight::tabulate() {
 }
 
 double SlabLight::exactLuminanceAt(const Vec3& toSky) const {
-  if (!(toSun_.z > 0.0)) return 0.0;
+  if (!isLit_) return 0.0;
   const double rise = std::max(std::abs(toSky.z), kLevel);
   const Extinction::Crystals between = extinction_.at(toSky);
   const double toObserver = opticalDepth_ * (1.0 - between.undeviated) * between.shadow / rise;

@@ -18,8 +18,9 @@ namespace parhelion {
 /// from above. Light that passes undeviated through parallel faces goes on and is not scattered.
 class SlabLight {
  public:
-  /// Of a scene that has a cloud, where that share of sunlight on crystals passes undeviated, as many rays have found.
-  /// Throws as Extinction does.
+  /// Where that share of sunlight on crystals passes undeviated, as many rays have found. A scene without a cloud has
+  /// so few crystals that they dim no sunlight, wherever the sun stands: an optical depth of 0.05. Throws as Extinction
+  /// does.
   SlabLight(const Scene& scene, double undeviated);
 
   /// Sunlight behind the cloud on a surface that faces it, lx: what got through without being scattered.
@@ -41,6 +42,7 @@ class SlabLight {
   double opticalDepth_, illuminance_;
   Vec3 toSun_;
   double sunShadow_;                 // of crystals in sunlight, as Extinction has it
+  bool isLit_;                       // whether the sun reaches it
   double fromSun_;                   // depth that sunlight meets
   std::vector<double> byElevation_;  // luminances, above the horizon and below it; none where azimuths matter
 };

@@ -144,7 +144,10 @@ TEST_CASE("the curves have the values of their definitions") {
   CHECK(toneCurve(Vec3(3.0), ToneCurve::reinhard).x == doctest::Approx(0.75));
   CHECK(toneCurve(Vec3(0.3), ToneCurve::linear).x == 0.3);
   CHECK(toneCurve(Vec3(30.0), ToneCurve::linear) == Vec3(1.0));
-  CHECK(toneCurve(Vec3(2.0, 1.0, 0.0), ToneCurve::linear) == Vec3(1.0, 0.5, 0.0));
+  // What is over-exposed fades to white, as it does on film and on a sensor: a sun is not darker than its sky.
+  CHECK(toneCurve(Vec3(1.0, 0.5, 0.0), ToneCurve::linear) == Vec3(1.0, 0.5, 0.0));
+  CHECK(toneCurve(Vec3(9.0, 4.5, 0.0), ToneCurve::linear).y == doctest::Approx(0.75));
+  CHECK(toneCurve(Vec3(1e4, 5e3, 0.0), ToneCurve::linear).z > 0.99);
   // Narkowicz 2015 at 1: 2.54 / 3.16.
   CHECK(toneCurve(Vec3(1.0), ToneCurve::filmic).x == doctest::Approx(0.803797).epsilon(1e-4));
   CHECK(toneCurve(Vec3(7.0), ToneCurve::filmic).x < 1.0);

@@ -69,6 +69,20 @@ TEST_CASE("light along the horizon is finite, and there is none of a sun below i
   CHECK(slabOf(-1.0, 0.5, kUndeviated).directIlluminance() == 0.0);
 }
 
+TEST_CASE("crystals of which a scene does not say how many dim no sunlight, wherever the sun stands") {
+  for (const double sun : {20.0, 0.1, -0.2}) {
+    CAPTURE(sun);
+    const std::string text = "[sun]\nelevation = " + std::to_string(sun) + "\nspectrum = 550.0\n" + kRandom;
+    const SlabLight slab(parseScene(text, "thin.toml").scene, kUndeviated);
+    CHECK(slab.directIlluminance() == solarIlluminance(MonochromaticSpectrum{}));
+    const double toObserver = 0.05 * (1.0 - kUndeviated) / std::sin(radians(30.0));
+    CHECK(slab.luminanceAt(up(30.0)) ==
+          doctest::Approx(solarIlluminance(MonochromaticSpectrum{}) * 0.05 / std::sin(radians(30.0)) *
+                          (1.0 - std::exp(-toObserver)) / toObserver)
+              .epsilon(1e-3));
+  }
+}
+
 TEST_CASE("plates take more light from a high sun than from a low one") {
   const std::string plates = "[[population]]\naspect = 0.1\norientation = \"plate\"\n";
   const double low = slabOf(5.0, 0.01, 0.0, plates).luminanceAt(up(60.0)),
