@@ -36,6 +36,9 @@ bool isPartOf(std::string_view word, std::string_view name) {
   return at == 0 || (at != std::string_view::npos && isDash(at - 1) && isDash(at + word.size()));
 }
 
+/// Whether one goes on where the other ends: "bins" and "bin".
+bool goesOn(std::string_view a, std::string_view b) { return a.starts_with(b) || b.starts_with(a); }
+
 /// "'a', 'b' or 'c'"; nothing of nothing.
 std::string alternatives(const std::vector<std::string_view>& names) {
   std::string text;
@@ -56,7 +59,9 @@ std::string didYouMean(std::string_view word, std::span<const std::string_view> 
     const auto lengthDifference = std::abs(static_cast<long>(word.size()) - static_cast<long>(name.size()));
     if (lengthDifference > limit) continue;
     const int distance = editDistance(word, name);
-    if (distance <= limit && (closest.empty() || distance < closestDistance)) {
+    const bool isCloser =
+        distance < closestDistance || (distance == closestDistance && goesOn(word, name) && !goesOn(word, closest));
+    if (distance <= limit && (closest.empty() || isCloser)) {
       closest = name;
       closestDistance = distance;
     }

@@ -16,6 +16,9 @@ TEST_CASE("a word that is part of names suggests them all, where none is nearer"
   CHECK(didYouMean("horizontal", names) == "did you mean 'fov_horizontal'?");
   CHECK(didYouMean("elev", names) == "did you mean 'elevation'?");
   CHECK(didYouMean("rol", names) == "did you mean 'roll'?");
+  // Of two that are as near, the one with an end more or less.
+  const std::vector<std::string_view> near{"bits", "bin"};
+  CHECK(didYouMean("bins", near) == "did you mean 'bin'?");
   for (const char* far : {"", "v", "fo", "ov_", "izontal", "size"}) CHECK_MESSAGE(didYouMean(far, names).empty(), far);
 }
 
