@@ -271,8 +271,7 @@ template <class Visitor>
 void visitKeys(Visitor& v, SlabKeys& slab) {
   v.key("optical_depth", kinds::Optional{kinds::Number{{0, 1e4, true}}}, slab.opticalDepth,
         "Vertical depth of the cloud by the shadows of its crystals. Pictures are in cd/m2 then.");
-  v.key("orders", kinds::WithoutDefault{kinds::WholeNumber{1, 1}}, slab.orders,
-        "How often light may be scattered: 1, as yet.");
+  v.key("orders", kinds::FirstOrder{}, slab.orders, "How often light may be scattered: 1, as yet.");
 }
 
 template <class Visitor>

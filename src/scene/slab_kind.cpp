@@ -3,6 +3,14 @@
 
 namespace parhelion {
 
+bool kinds::FirstOrder::read(const Value& in, int& out) const {
+  if (in.node.value_exact<std::int64_t>() != 1) return in.mustBe("1: light is followed to its first scattering only");
+  out = 1;
+  return true;
+}
+
+Json kinds::FirstOrder::schema() const { return {{"const", 1}}; }
+
 bool kinds::Slab::read(const Value& in, std::optional<SlabSettings>& out) const {
   const toml::table* table = in.node.as_table();
   if (!table) return in.mustBe("a table");

@@ -93,6 +93,13 @@ struct Recon {
   Json write(const ReconSettings&) const { return {}; }
 };
 
+/// How often light may be scattered: once, as yet.
+struct FirstOrder {
+  bool read(const Value& in, int& out) const;
+  Json schema() const;
+  Json write(int orders) const { return orders; }
+};
+
 /// [cloud], whose depth must be said.
 struct Slab {
   bool read(const Value& in, std::optional<SlabSettings>& out) const;

@@ -240,6 +240,8 @@ TEST_CASE("a cloud has a depth, and light that is scattered once") {
   CHECK_FALSE(sceneOf("[[population]]\n").cloud);
   CHECK(cloudOf("optical_depth = 0.5")->opticalDepth == 0.5);
   CHECK(cloudOf("optical_depth = 2\norders = 1")->opticalDepth == 2.0);
+  CHECK(errorsOf("[[population]]\n[cloud]\noptical_depth = 1\norders = 2").at(0).message ==
+        "'orders' must be 1: light is followed to its first scattering only, not 2");
   for (const char* wrong : {"optical_depth = -1", "optical_depth = 0", "orders = 1", "optical_depth = 1\norders = 2"})
     CHECK_THROWS_AS(cloudOf(wrong), SceneError);
 }
