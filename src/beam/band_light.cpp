@@ -23,6 +23,15 @@ constexpr double kOrders = 1.5, kMoreOrders = 24.0;
 
 }  // namespace
 
+RingLayout::RingLayout(const BandMesh& mesh, const CosineTable& cosines, int channels) : places_(1) {
+  for (int ring = 0; ring < mesh.rings; ++ring) {
+    const double sine = portable::sincos(std::clamp((ring + 0.5) / mesh.rings, 0.0, 1.0) * kPi).sin;
+    const double orders = std::min(kOrders * mesh.cells * sine + kMoreOrders, mesh.orders);
+    rooms_.push_back(ring < mesh.first || ring >= mesh.end ? 0 : cosines.room(orders));
+    places_.push_back(places_.back() + static_cast<std::size_t>(2 * channels * rooms_.back()));
+  }
+}
+
 /// Memory that bands are made in, one after the other.
 struct BandLight::Scratch {
   virtual ~Scratch() = default;
@@ -45,15 +54,6 @@ BandLight::BandLight(const LightTable& table, const CosineTable& cosines, const 
       lights_(lights),
       fewLights_(fewLights),
       layout_(mesh, cosines, channels()) {}
-
-RingLayout::RingLayout(const BandMesh& mesh, const CosineTable& cosines, int channels) : places_(1) {
-  for (int ring = 0; ring < mesh.rings; ++ring) {
-    const double sine = portable::sincos(std::clamp((ring + 0.5) / mesh.rings, 0.0, 1.0) * kPi).sin;
-    const double orders = std::min(kOrders * mesh.cells * sine + kMoreOrders, mesh.orders);
-    rooms_.push_back(ring < mesh.first || ring >= mesh.end ? 0 : cosines.room(orders));
-    places_.push_back(places_.back() + static_cast<std::size_t>(2 * channels * rooms_.back()));
-  }
-}
 
 BandLight::~BandLight() = default;
 

@@ -124,8 +124,7 @@ class TiltIntegration {
     bool broken = false;
     for (int y = 0; y < camera_.height(); ++y)
       for (int x = 0; x < camera_.width(); ++x) {
-        const std::size_t pixel =
-            static_cast<std::size_t>(y) * static_cast<std::size_t>(camera_.width()) + static_cast<std::size_t>(x);
+        const std::size_t pixel = indexOf(x, y);
         if (directions_.solidAngle(pixel) <= 0.0) continue;
         const Vec3& middle = directions_.middle(pixel);
         const bool isLit = middle != Vec3(0.0);
@@ -150,9 +149,6 @@ class TiltIntegration {
     result_.variance.assign(pixels_.size(), 0.0F);
     const std::size_t coarse = colours_ ? 3 : 1, y0 = colours_ ? 1 : 0;
     std::vector<double> errors(static_cast<std::size_t>(height)), light(static_cast<std::size_t>(height));
-    const auto indexOf = [&](int x, int y) {
-      return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
-    };
     const Tristimulus grey = scene_.lines.empty() ? Tristimulus{} : scene_.lines[0].xyz;
     // Light per solid angle is what neighbours are compared by: at the rim of a picture they may differ widely in size.
     double sum = 0.0, sky = 0.0;
@@ -211,31 +207,29 @@ class TiltIntegration {
     result_.error = all > 0.0 ? error / all : 0.0;
   }
 
+  std::size_t indexOf(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(camera_.width()) + static_cast<std::size_t>(x);
+  }
+
   /// One over the solid angle of a pixel; 0 where it sees no sky.
   double perSolidAngle(int x, int y) const {
-    const double solidAngle = directions_.solidAngle(
-        static_cast<std::size_t>(y) * static_cast<std::size_t>(camera_.width()) + static_cast<std::size_t>(x));
+    const double solidAngle = directions_.solidAngle(indexOf(x, y));
     return solidAngle > 0.0 ? 1.0 / solidAngle : 0.0;
   }
 
   /// What the light of a pixel with such an error is taken for. Beside a sharp edge what is put back of blur may leave
   /// less than nothing: there it is that of the darkest pixel around with any, and no more than the error.
   TiltSky::PixelLight litAt(int x, int y, double error) const {
-    const int width = camera_.width();
-    const auto at = [&](int column, int row) -> const TiltSky::PixelLight& {
-      return pixels_[static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
-                     static_cast<std::size_t>(column)];
-    };
     // No visible light has a Y without an X, but red has next to no Z.
     const std::size_t luminance = colours_ ? 1 : 0;
     const auto isLight = [&](const TiltSky::PixelLight& one) { return one[0] > 0.0F && one[luminance] > 0.0F; };
-    TiltSky::PixelLight light = at(x, y);
+    TiltSky::PixelLight light = pixels_[indexOf(x, y)];
     const double per = perSolidAngle(x, y);
     if (!isLight(light) && per > 0.0) {
       light = {};
       for (int row = std::max(y - kAround, 0); row <= std::min(y + kAround, camera_.height() - 1); ++row)
-        for (int column = std::max(x - kAround, 0); column <= std::min(x + kAround, width - 1); ++column) {
-          TiltSky::PixelLight other = at(column, row);
+        for (int column = std::max(x - kAround, 0); column <= std::min(x + kAround, camera_.width() - 1); ++column) {
+          TiltSky::PixelLight other = pixels_[indexOf(column, row)];
           if (!isLight(other)) continue;
           for (float& channel : other) channel *= static_cast<float>(perSolidAngle(column, row) / per);
           if (!isLight(light) || other[luminance] < light[luminance]) light = other;

@@ -17,6 +17,7 @@
 #include "picture/colour_space.h"
 #include "render/slab_light.h"
 #include "sky/draw_sun.h"
+#include "sky/pixel_mean.h"
 #include "sky/radiance.h"
 
 namespace parhelion {
@@ -26,21 +27,6 @@ namespace {
 constexpr double kMetresPerKilometre = 1000.0;
 
 double altitudeOf(const Scene& scene) { return scene.observer.altitude / kMetresPerKilometre; }
-
-/// The mean of the background over a pixel through which the horizon goes, by a grid of samples.
-Vec3 meanOver(const AirSky& sky, const Camera& camera, int x, int y) {
-  constexpr int kSamples = 4;
-  Vec3 sum(0.0);
-  int onSky = 0;
-  for (int j = 0; j < kSamples; ++j)
-    for (int i = 0; i < kSamples; ++i) {
-      const auto toSky = camera.toSky(Vec2(x + (i + 0.5) / kSamples, y + (j + 0.5) / kSamples));
-      if (!toSky) continue;
-      sum += sky.radiance(*toSky);
-      ++onSky;
-    }
-  return onSky > 0 ? sum / double(onSky) : sum;
-}
 
 /// Channels of a picture by what they hold.
 struct Planes {
@@ -119,7 +105,9 @@ class Background {
   Vec3 behind(const Vec3& toSky, int x, int y) const {
     constexpr double kReach = 2.0;  // pixels, more than half of one's diagonal wherever lenses stretch them
     const bool isAtHorizon = std::abs(toSky.z - portable::sin(sky_.horizon())) * camera_.focalLength() < kReach;
-    return toRec709_ * (isAtHorizon ? meanOver(sky_, camera_, x, y) : sky_.radiance(toSky));
+    if (!isAtHorizon) return toRec709_ * sky_.radiance(toSky);
+    constexpr int kSamples = 4;
+    return toRec709_ * meanOverPixel(camera_, x, y, kSamples, [&](const Vec3& there) { return sky_.radiance(there); });
   }
 
   Image& image_;

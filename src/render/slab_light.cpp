@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string_view>
 
 #include "math/arctangent.h"
 #include "math/portable.h"
@@ -11,6 +10,7 @@
 #include "optics/spectrum.h"
 #include "optics/sun.h"
 #include "parallel/loops.h"
+#include "sky/pixel_mean.h"
 #include "sky/radiance.h"
 
 namespace parhelion {
@@ -30,8 +30,6 @@ constexpr int kPoints = 8;
 
 /// (1 - exp(-x)) / x for x >= 0.
 double meanThrough(double x) { return x < 1e-5 ? 1.0 - 0.5 * x : (1.0 - portable::exp(-x)) / x; }
-
-bool isError(std::string_view channel) { return channel == kVarianceChannel; }
 
 }  // namespace
 
@@ -81,15 +79,7 @@ double SlabLight::exactLuminanceAt(const Vec3& toSky) const {
 double SlabLight::meanOver(const Camera& camera, int x, int y) const {
   const auto middle = camera.toSky({x + 0.5, y + 0.5});
   if (middle && std::abs(middle->z) > std::max(kNearHorizon, kWide / camera.focalLength())) return luminanceAt(*middle);
-  double sum = 0.0;
-  int seen = 0;
-  for (int j = 0; j < kPoints; ++j)
-    for (int i = 0; i < kPoints; ++i)
-      if (const auto toSky = camera.toSky({x + (i + 0.5) / kPoints, y + (j + 0.5) / kPoints})) {
-        sum += luminanceAt(*toSky);
-        ++seen;
-      }
-  return seen > 0 ? sum / seen : 0.0;
+  return meanOverPixel(camera, x, y, kPoints, [&](const Vec3& toSky) { return luminanceAt(toSky); });
 }
 
 void SlabLight::apply(Image& image, const Camera& camera) const {
@@ -99,7 +89,7 @@ void SlabLight::apply(Image& image, const Camera& camera) const {
       const std::size_t pixel =
           static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x);
       for (Channel& channel : image.channels) {
-        const double factor = isError(channel.name) ? luminance * luminance : luminance;
+        const double factor = channel.name == kVarianceChannel ? luminance * luminance : luminance;
         channel.samples[pixel] = static_cast<float>(factor * static_cast<double>(channel.samples[pixel]));
       }
     }
