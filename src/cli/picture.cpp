@@ -8,6 +8,7 @@
 #include "cli/outputs.h"
 #include "cli/run_options.h"
 #include "cli/say.h"
+#include "cli/stats.h"
 #include "math/names.h"
 #include "picture/photograph.h"
 #include "picture/staged_file.h"
@@ -93,6 +94,7 @@ SkyFiles PictureOptions::files(const std::string& input) const {
 
 void reportPicture(const SkyFiles& files, const WrittenSky& written, const std::vector<std::string>& remarks) {
   for (const std::string& remark : remarks) say("recon: %s", remark.c_str());
+  if (written.orders) printOrders(*written.orders);
   say("wrote %s and %s (exposure %s)", files.exr.c_str(), files.png.c_str(), exposureText(written.exposure).c_str());
   if (written.badPixels > 0) say("%zu pixels are not finite and black in the preview", written.badPixels);
 }

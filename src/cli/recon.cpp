@@ -183,7 +183,7 @@ void printComparison(const ReconOptions& options, const ReconRun& run, const std
 }
 
 void writeReconStats(const ReconOptions& options, const SkyTally& tally, std::string_view method, const ReconRun& run,
-                     Transaction& outputs) {
+                     const std::optional<OrderReport>& orders, Transaction& outputs) {
   std::int64_t hits = 0;
   for (const SkyTally::Part& part : tally.parts())
     for (int pixel = 0; pixel < tally.pixels(); ++pixel) hits += part.tally.hits(pixel);
@@ -198,6 +198,7 @@ void writeReconStats(const ReconOptions& options, const SkyTally& tally, std::st
   json["hits"] = hits;
   json["peak_memory_bytes"] = processUsage().peakMemory;
   json["remarks"] = run.sky.remarks;
+  if (orders) json["orders"] = ordersJson(*orders);
   writeJson(outputs.at(options.stats), json);
 }
 
@@ -233,8 +234,9 @@ int runRecon(const ReconOptions& options) {
   printComparison(options, run, references, outputs);
   files.run = &outputs;
   files.threads = options.threads;
+  files.gains = gainsOf(options, tally);
   const WrittenSky written = writeSkyFiles(files, std::move(run.sky.image), tally.info(), loaded);
-  if (!options.stats.empty()) writeReconStats(options, tally, nameOf(loaded.scene.recon), run, outputs);
+  if (!options.stats.empty()) writeReconStats(options, tally, nameOf(loaded.scene.recon), run, written.orders, outputs);
   outputs.commit();
   if (!options.quiet) reportPicture(files, written, run.sky.remarks);
   return kDone;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <nlohmann/json.hpp>
+
 #include "cli/commands.h"
 #include "cli/integral_run.h"
 #include "cli/long_run.h"
@@ -66,7 +68,9 @@ int renderSmooth(const RenderOptions& options, const CLI::App& command, LoadedSc
   const WrittenSky written = writeSkyFiles(files, std::move(sky.image), sky.info, loaded);
   if (!options.run.stats.empty()) {
     const Engine engine = loaded.scene.trace.engine;
-    writeJson(outputs.at(options.run.stats), smoothStats(made, seconds, options.run.threads, engine));
+    nlohmann::ordered_json json = smoothStats(made, seconds, options.run.threads, engine);
+    if (written.orders) json["orders"] = ordersJson(*written.orders);
+    writeJson(outputs.at(options.run.stats), json);
   }
   outputs.commit();
   if (!options.run.quiet) reportPicture(files, written, {});
@@ -109,7 +113,7 @@ int runRender(const RenderOptions& options, const CLI::App& command, Tracers& tr
   files.run = &outputs;
   files.threads = options.run.threads;
   const WrittenSky written = writeSkyFiles(files, std::move(sky.image), sums.tally().info(), loaded);
-  run.writeStats(outputs);
+  run.writeStats(outputs, written.orders);
   outputs.commit();
   if (!options.run.quiet) reportPicture(files, written, sky.remarks);
   return run.exitCode();

@@ -71,6 +71,40 @@ nlohmann::ordered_json statsJson(const RunFigures& figures) {
   return json;
 }
 
+nlohmann::ordered_json ordersJson(const OrderReport& report) {
+  const OrderLedger& energy = report.energy;
+  const double in = energy.in.value(), per = in > 0.0 ? 1.0 / in : 0.0;
+  const auto row = [&](std::size_t place) {
+    return nlohmann::ordered_json{{"above", energy.above[place].value() * per},
+                                  {"below", energy.below[place].value() * per}};
+  };
+  nlohmann::ordered_json json;
+  json["walks"] = report.walks;
+  json["hits"] = report.hits;
+  json["seconds"] = report.seconds;
+  json["direct"] = energy.direct.value() * per;
+  json["by_order"] = nlohmann::ordered_json::array();
+  std::size_t last = OrderLedger::kTold;
+  while (last > 0 && energy.above[last - 1].units() == 0 && energy.below[last - 1].units() == 0) --last;
+  for (std::size_t place = 0; place < last; ++place) json["by_order"].push_back(row(place));
+  json["higher_orders"] = row(OrderLedger::kTold);
+  json["absorbed"] = 0.0;
+  json["left_out"] = energy.leftOut.value() * per;
+  json["cut_off"] = energy.cutOff.value() * per;
+  json["imbalance"] = energy.imbalance();
+  return json;
+}
+
+void printOrders(const OrderReport& report) {
+  const OrderLedger& energy = report.energy;
+  const double per = energy.in.value() > 0.0 ? 1.0 / energy.in.value() : 0.0;
+  const Readable count = readable(static_cast<double>(report.walks));
+  say("%.4g%s walks through the cloud in %.2f s: out above %.4f, below %.4f, of it direct %.4f, left out %.2g, open by "
+      "%.1e",
+      count.value, count.suffix, report.seconds, energy.reflected(), energy.transmitted(), energy.direct.value() * per,
+      energy.leftOut.value() * per, std::abs(energy.imbalance()));
+}
+
 ProcessUsage processUsage() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);

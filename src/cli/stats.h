@@ -6,6 +6,7 @@
 
 #include "picture/transaction.h"
 #include "trace/trace.h"
+#include "trace/trace_orders.h"
 #include "trace/trace_settings.h"
 
 namespace parhelion::cli {
@@ -24,6 +25,12 @@ struct RunFigures {
 
 /// A run's figures, and the most memory that the process has held until now: to be asked for when all work is done.
 nlohmann::ordered_json statsJson(const RunFigures& figures);
+
+/// What became of the light that falls on a cloud: shares of it by order, out above and below.
+nlohmann::ordered_json ordersJson(const OrderReport& report);
+
+/// Prints on stderr the same in short.
+void printOrders(const OrderReport& report);
 
 /// What the process has used so far.
 struct ProcessUsage {

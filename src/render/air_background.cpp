@@ -15,6 +15,7 @@
 #include "parallel/loops.h"
 #include "parallel/threads.h"
 #include "picture/colour_space.h"
+#include "render/more_orders.h"
 #include "render/slab_light.h"
 #include "sky/draw_sun.h"
 #include "sky/pixel_mean.h"
@@ -56,19 +57,23 @@ struct Planes {
 
 class Background {
  public:
-  Background(Image& image, const Camera& camera, const TallyInfo& info, const Scene& scene)
+  Background(Image& image, const Camera& camera, const TallyInfo& info, const Scene& scene, const SlabLight& slab,
+             const Image* more)
       : image_(image),
         camera_(camera),
         scene_(scene),
         planes_(image),
         sky_(scene.sky, altitudeOf(scene), scene.sun.elevation),
         toRec709_(xyzToRec709()),
-        slab_(scene, info.undeviatedFraction()),
+        slab_(slab),
+        more_(more),
         arriving_(sky_.sunlight().y / solarIlluminance(scene.sun.spectrum)),
         fromHalo_(arriving_ * (toRec709_ * rec709ToXyz(info.white))) {}
 
   void add() {
+    addHaze(image_, camera_, scene_, slab_.ofHaze());
     slab_.apply(image_, camera_);
+    if (more_) addImage(image_, *more_);
     forRows(image_.height, [&](int y) {
       for (int x = 0; x < image_.width; ++x) addTo(x, y);
     });
@@ -116,7 +121,8 @@ class Background {
   Planes planes_;
   AirSky sky_;
   Mat3 toRec709_;
-  SlabLight slab_;   // in sunlight as it is above the air
+  const SlabLight& slab_;  // in sunlight as it is above the air
+  const Image* more_;
   double arriving_;  // share of that which reaches the crystals
   Mat3 fromHalo_;    // from the slab's light to Rec.709
 };
@@ -139,8 +145,14 @@ SunSettings sunAtCloud(const Scene& scene) {
 }
 
 void addAir(Image& image, const Camera& camera, const TallyInfo& info, const Scene& scene, int threads) {
+  const SlabLight slab = withThreads(threads, [&] { return SlabLight(scene, info.undeviatedFraction()); });
+  addAir(image, camera, info, scene, threads, slab, nullptr);
+}
+
+void addAir(Image& image, const Camera& camera, const TallyInfo& info, const Scene& scene, int threads,
+            const SlabLight& slab, const Image* more) {
   withThreads(threads, [&] {
-    Background background(image, camera, info, scene);
+    Background background(image, camera, info, scene, slab, more);
     background.add();
     if (scene.sun.visible) background.drawTheSun();
     return true;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "picture/image.h"
+#include "render/slab_light.h"
 #include "scene/scene.h"
 #include "sky/camera.h"
 #include "sky/tally_info.h"
@@ -18,5 +19,10 @@ SunSettings sunAtCloud(const Scene& scene);
 /// dims the sun, but not the sky: it scatters about as much of that light toward the observer as it takes. `info` is
 /// that of the picture's tally. `threads` 0: one a processor.
 void addAir(Image& image, const Camera& camera, const TallyInfo& info, const Scene& scene, int threads);
+
+/// The same where the light of the scene's cloud is known. `more` is light that was scattered more than once, in cd/m^2
+/// as if there were no air; it may be null.
+void addAir(Image& image, const Camera& camera, const TallyInfo& info, const Scene& scene, int threads,
+            const SlabLight& slab, const Image* more);
 
 }  // namespace parhelion

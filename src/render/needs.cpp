@@ -66,6 +66,7 @@ SkySize skySizeOf(const Scene& scene) {
   const int named = static_cast<int>(scene.trace.paths.layers.size()), perPart = named > 0 ? named + 2 : 1;
   SkySize size{std::int64_t{scene.camera.width} * scene.camera.height, !single, perPart * parts,
                named > 0 ? named + 1 : 0};
+  if (scene.cloud && scene.cloud->orders > 1) size.tallies += perPart;
   if (isRadial) {
     TallyInfo info;
     info.camera = scene.camera;

@@ -21,15 +21,24 @@ ReconstructedSky developSky(const TracedSky& traced, const LoadedScene& loaded, 
   return withThreads(threads, [&] { return reconstruct(traced.tally, loaded.scene.recon); });
 }
 
-void writeSky(const Output& exr, Image& image, const TallyInfo& info, const LoadedScene& loaded, Gamut gamut,
-              int threads) {
+std::optional<OrderReport> writeSky(const Output& exr, Image& image, const TallyInfo& info, const LoadedScene& loaded,
+                                    Gamut gamut, const SkyAdditions& additions) {
   const Camera camera(info.camera);
-  const bool air = loaded.scene.sky.air;
+  const Scene& scene = loaded.scene;
+  const bool air = scene.sky.air;
   std::optional<SlabLight> slab;
-  if (air)
-    addAir(image, camera, info, loaded.scene, threads);
-  else if ((slab = slabLightOf(loaded.scene, info.undeviatedFraction())))
-    slab->apply(image, camera);
+  std::optional<MoreOrders> more;
+  if (isAbsolute(scene) || !scene.hazes.empty())
+    slab = withThreads(additions.threads, [&] { return SlabLight(scene, info.undeviatedFraction()); });
+  if (isAbsolute(scene)) more = moreOrders(loaded, info.rayCount(), *slab, additions.gains, additions.threads);
+  if (air) {
+    addAir(image, camera, info, scene, additions.threads, *slab, more ? &more->image : nullptr);
+  } else if (slab) {
+    addHaze(image, camera, scene, slab->ofHaze());
+    if (scene.cloud) slab->apply(image, camera);
+    if (more) addImage(image, more->image);
+    if (!scene.cloud) slab.reset();
+  }
   if (!air && loaded.scene.sun.visible)
     drawUndeviatedSun(image, camera, Sun(loaded.scene.sun),
                       slab ? slab->directIlluminance() : info.undeviatedFraction());
@@ -42,6 +51,7 @@ void writeSky(const Output& exr, Image& image, const TallyInfo& info, const Load
   if (envmap == Envmap::latLong)
     std::erase_if(image.channels, [](const Channel& channel) { return channel.name.find('.') != std::string::npos; });
   writeBeautyExr(exr, image, attributes, envmap);
+  return more ? std::optional(more->report) : std::nullopt;
 }
 
 bool isAbsolute(const Scene& scene) { return scene.cloud.has_value() || scene.sky.air; }
@@ -68,11 +78,11 @@ void writePreview(const Output& png, const Preview& preview, double stops, const
 }
 
 WrittenSky writeSkyFiles(const SkyFiles& files, Image image, const TallyInfo& info, const LoadedScene& loaded) {
-  writeSky({files.exr, files.run}, image, info, loaded, files.gamut, files.threads);
+  const auto orders = writeSky({files.exr, files.run}, image, info, loaded, files.gamut, {files.gains, files.threads});
   const ToneSettings tone = previewTone(files.display, image, loaded.scene);
   const Preview preview = developPreview(image, tone);
   writePreview({files.png, files.run}, preview, tone.exposureStops, loaded.text);
-  return {tone.exposureStops, preview.badPixels};
+  return {tone.exposureStops, preview.badPixels, orders};
 }
 
 }  // namespace parhelion

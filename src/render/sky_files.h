@@ -12,6 +12,7 @@
 #include "picture/tone.h"
 #include "picture/transaction.h"
 #include "recon/reconstruct.h"
+#include "render/more_orders.h"
 #include "render/traced_sky.h"
 
 namespace parhelion {
@@ -19,12 +20,19 @@ namespace parhelion {
 /// A traced sky, reconstructed as its scene says. `threads` 0: one a processor.
 ReconstructedSky developSky(const TracedSky& traced, const LoadedScene& loaded, int threads);
 
+/// What more goes into a picture.
+struct SkyAdditions {
+  LayerGains gains;  // of light that is scattered more than once, as the picture's
+  int threads = 0;   // for the air's light and that of further orders; 0: one a processor
+};
+
 /// Of a scene with a cloud or air turns the image of a tally with that info into cd/m^2, with air adds what is behind
 /// it (air_background.h), draws the sun into it if the scene makes it visible, and writes it as linear EXR with the
-/// scene inside, its colours as `gamut` says; other than exact ones are noted under kGamutKey. Throws
+/// scene inside, its colours as `gamut` says; other than exact ones are noted under kGamutKey. Light that the cloud
+/// scatters more than once, where the scene asks for it, is traced here (more_orders.h); returns how that went. Throws
 /// std::runtime_error.
-void writeSky(const Output& exr, Image& image, const TallyInfo& info, const LoadedScene& loaded,
-              Gamut gamut = Gamut::exact, int threads = 0);
+std::optional<OrderReport> writeSky(const Output& exr, Image& image, const TallyInfo& info, const LoadedScene& loaded,
+                                    Gamut gamut = Gamut::exact, const SkyAdditions& additions = {});
 
 /// The exposure (stops) that the preview of a finished picture gets where none is asked for.
 double ownExposure(const Image& image, const Scene& scene);
@@ -48,13 +56,15 @@ struct SkyFiles {
   LightDisplay display;        // of the preview
   Gamut gamut = Gamut::exact;  // of the EXR
   Transaction* run = nullptr;  // with whose other files they appear; none: each by itself
-  int threads = 0;             // for the air's light; 0: one a processor
+  int threads = 0;             // for the air's light and that of further orders; 0: one a processor
+  LayerGains gains = {};       // of layers, as the picture's
 };
 
 /// What was written.
 struct WrittenSky {
-  double exposure;        // of the preview, stops
-  std::size_t badPixels;  // not finite in the sky, black in the preview
+  double exposure;                    // of the preview, stops
+  std::size_t badPixels;              // not finite in the sky, black in the preview
+  std::optional<OrderReport> orders;  // of a cloud whose light is scattered more than once
 };
 
 /// Writes a sky reconstructed from a tally with that info as writeSky() does, and its preview. Throws

@@ -34,13 +34,16 @@ double meanThrough(double x) { return x < 1e-5 ? 1.0 - 0.5 * x : (1.0 - portable
 }  // namespace
 
 SlabLight::SlabLight(const Scene& scene, double undeviated)
-    : extinction_(scene.sun, scene.ice, scene.populations),
+    : extinction_(scene.sun, scene.ice, scene.populations, scene.hazes),
       opticalDepth_(scene.cloud ? scene.cloud->opticalDepth : kThinDepth),
       illuminance_(solarIlluminance(scene.sun.spectrum)),
       toSun_(Sun(scene.sun).toCentre()),
       sunShadow_(extinction_.at(toSun_).shadow),
+      ofHaze_(extinction_.at(toSun_).ofHaze),
       isLit_(!scene.cloud || toSun_.z > 0.0),
-      fromSun_(scene.cloud ? opticalDepth_ * (1.0 - undeviated) * sunShadow_ / std::max(toSun_.z, kLevel) : 0.0) {
+      fromSun_(scene.cloud
+                   ? opticalDepth_ * (1.0 - undeviated * (1.0 - ofHaze_)) * sunShadow_ / std::max(toSun_.z, kLevel)
+                   : 0.0) {
   if (extinction_.isSameAllAround()) tabulate();
 }
 
@@ -94,11 +97,6 @@ void SlabLight::apply(Image& image, const Camera& camera) const {
       }
     }
   });
-}
-
-std::optional<SlabLight> slabLightOf(const Scene& scene, double undeviated) {
-  if (!scene.cloud) return std::nullopt;
-  return SlabLight(scene, undeviated);
 }
 
 }  // namespace parhelion

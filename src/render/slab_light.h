@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "picture/image.h"
@@ -18,10 +17,19 @@ namespace parhelion {
 /// from above. Light that passes undeviated through parallel faces goes on and is not scattered.
 class SlabLight {
  public:
-  /// Where that share of sunlight on crystals passes undeviated, as many rays have found. A scene without a cloud has
-  /// so few crystals that they dim no sunlight, wherever the sun stands: an optical depth of 0.05. Throws as Extinction
-  /// does.
+  /// Where that share of sunlight on crystals, haze apart, passes undeviated, as many rays have found. A scene without
+  /// a cloud has so few crystals that they dim no sunlight, wherever the sun stands: an optical depth of 0.05. Throws
+  /// as Extinction does.
   SlabLight(const Scene& scene, double undeviated);
+
+  /// Of the crystals and the haze.
+  const Extinction& extinction() const { return extinction_; }
+
+  /// How much of the sunlight that the cloud meets is met by haze.
+  double ofHaze() const { return ofHaze_; }
+
+  /// Sunlight in front of the cloud on a surface that faces it, lx.
+  double illuminance() const { return illuminance_; }
 
   /// Sunlight behind the cloud on a surface that faces it, lx: what got through without being scattered.
   double directIlluminance() const;
@@ -41,13 +49,10 @@ class SlabLight {
   Extinction extinction_;
   double opticalDepth_, illuminance_;
   Vec3 toSun_;
-  double sunShadow_;                 // of crystals in sunlight, as Extinction has it
+  double sunShadow_, ofHaze_;        // of crystals in sunlight, as Extinction has it
   bool isLit_;                       // whether the sun reaches it
   double fromSun_;                   // depth that sunlight meets
   std::vector<double> byElevation_;  // luminances, above the horizon and below it; none where azimuths matter
 };
-
-/// None for a scene without a cloud.
-std::optional<SlabLight> slabLightOf(const Scene& scene, double undeviated);
 
 }  // namespace parhelion

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/describe.h"
 
+#include <type_traits>
+
 #include "math/overloaded.h"
 #include "math/range.h"
 #include "scene/scene_keys.h"
@@ -59,11 +61,13 @@ class ShapeWords {
   void key(std::string_view, const Kind&, const T&, std::string_view) {}
 
   template <class Kind, class T, class... Owners>
-  void key(std::string_view name, const kinds::MemberOf<Kind, T, Owners...>& kind, const ShapeSettings& shape,
+  void key(std::string_view name, const kinds::MemberOf<Kind, T, Owners...>& kind, const PopulationShape& shape,
            std::string_view) {
-    kind.visitMember(shape, [&](const T& member) { add(name, wordsFor(kind.kind(), member)); });
+    // Haze is no crystal and has words of its own.
+    if constexpr (!(std::is_same_v<Owners, HazeWords> || ...))
+      kind.visitMember(shape, [&](const T& member) { add(name, wordsFor(kind.kind(), member)); });
   }
-  void key(std::string_view name, const kinds::Aspect&, const ShapeSettings& shape, std::string_view) {
+  void key(std::string_view name, const kinds::Aspect&, const PopulationShape& shape, std::string_view) {
     std::visit(
         [&](const auto& own) {
           if constexpr (requires { own.aspect; }) add(name, wordsFor(own.aspect));
@@ -79,7 +83,7 @@ class ShapeWords {
 };
 
 std::string describe(const ShapeSettings& shape) {
-  PopulationKeys keys{.shape = shape};
+  PopulationKeys keys{.shape = wordsOf(shape)};
   ShapeWords words;
   visitKeys(words, keys);
   return std::string(nameOf(shape)) + words.text();
@@ -177,10 +181,24 @@ std::string describe(const TraceSettings& trace) {
          (trace.paths.filter ? ", filter " + trace.paths.filter->text : "");
 }
 
+std::string describeOrders(int orders) {
+  if (orders == SlabSettings::kAllOrders) return "any number of times";
+  return orders == 1 ? "once" : orders == 2 ? "twice" : std::to_string(orders) + " times";
+}
+
+std::string describe(const PhaseSettings& phase) {
+  return std::visit(Overloaded{
+                        [](const HenyeyGreenstein& own) { return "g " + plain(own.g); },
+                        [](const PhaseTable& own) { return std::to_string(own.angles.size()) + " values"; },
+                    },
+                    phase);
+}
+
 std::string describe(const LayerSettings& layer) {
   std::string text = layer.name + ": " + (layer.paths ? "paths " + layer.paths->text : "all paths");
   for (const std::string& name : layer.populations) text += (&name == layer.populations.data() ? " of " : ", ") + name;
   if (layer.tilt) text += "; tilted " + inDegrees(layer.tilt->from) + " to " + inDegrees(layer.tilt->to);
+  if (layer.order) text += "; scattered " + describeOrders(*layer.order);
   return text;
 }
 
@@ -195,13 +213,19 @@ std::string row(const std::string& title, const std::string& text) {
 std::string describeScene(const Scene& scene) {
   double sum = 0.0;
   for (const PopulationSettings& p : scene.populations) sum += p.weight;
+  for (const HazeSettings& haze : scene.hazes) sum += haze.weight;
 
   std::string text = row("sun", describe(scene.sun)) + row("ice", describe(scene.ice));
   for (const PopulationSettings& p : scene.populations) {
     const std::string share = formatNumber(100.0 * p.weight / sum) + " % of the surface";
     text += row("population", p.name + ": " + share + "; " + describe(p.shape) + "; " + describe(p.orientation));
   }
-  if (scene.cloud) text += row("cloud", "optical depth " + plain(scene.cloud->opticalDepth) + ", light scattered once");
+  for (const HazeSettings& haze : scene.hazes)
+    text += row("haze", haze.name + ": " + formatNumber(100.0 * haze.weight / sum) + " % of the surface; " +
+                            describe(haze.phase));
+  if (scene.cloud)
+    text += row("cloud", "optical depth " + plain(scene.cloud->opticalDepth) + ", light scattered " +
+                             describeOrders(scene.cloud->orders));
   for (const LayerSettings& layer : scene.trace.paths.layers) text += row("layer", describe(layer));
   if (scene.sky.air) text += row("air", describe(scene.sky, scene.observer));
   text += row("camera", describe(scene.camera)) + row("trace", describe(scene.trace));

@@ -199,7 +199,7 @@ bool Spread::read(const Value& in, AngleDistribution& out) const { return spread
 
 Json Spread::schema() const { return spreadSyntax().schema(); }
 
-bool Aspect::read(const Value& in, ShapeSettings& out) const {
+bool Aspect::read(const Value& in, PopulationShape& out) const {
   return std::visit(
       [&](auto& shape) {
         if constexpr (requires { shape.aspect; }) return readAspect(in, shape.kName, shape.aspect);
@@ -214,7 +214,7 @@ Json Aspect::schema() const {
   return schema;
 }
 
-Json Aspect::write(const ShapeSettings& value) const {
+Json Aspect::write(const PopulationShape& value) const {
   return std::visit(
       [](const auto& shape) {
         if constexpr (requires { shape.aspect; }) return writtenAspect(shape.aspect);
@@ -223,7 +223,7 @@ Json Aspect::write(const ShapeSettings& value) const {
       value);
 }
 
-bool Aspect::isOf(const ShapeSettings& chosen) const {
+bool Aspect::isOf(const PopulationShape& chosen) const {
   return std::visit(
       [](const auto& shape) {
         return requires { shape.aspect; };

@@ -3,7 +3,29 @@
 
 // Kinds (kinds.h) of value that are a number or a distribution of numbers: { normal = [90, 1] }.
 
+#include <optional>
+#include <string_view>
+#include <variant>
+
 #include "scene/kinds.h"
+
+namespace parhelion {
+
+/// Haze as scene files have it, but for its phase function.
+struct HazeWords {
+  static constexpr std::string_view kName = "haze";
+  std::optional<double> g = std::nullopt;
+};
+
+/// The words for what scatters light: the shapes of crystals, and haze.
+using PopulationShape = std::variant<PrismSettings, PyramidSettings, HazeWords>;
+
+/// What words make of the shape of a crystal.
+inline PopulationShape wordsOf(const ShapeSettings& shape) {
+  return std::visit([](const auto& own) { return PopulationShape(own); }, shape);
+}
+
+}  // namespace parhelion
 
 namespace parhelion::kinds {
 
@@ -26,10 +48,10 @@ struct Spread {
 /// The aspect ratio: a number, for shapes that can be stretched also a distribution. It fills the member `aspect` of
 /// the chosen shape, if it has one (member_kinds.h).
 struct Aspect {
-  bool read(const Value& in, ShapeSettings& out) const;
+  bool read(const Value& in, PopulationShape& out) const;
   Json schema() const;
-  Json write(const ShapeSettings& value) const;
-  bool isOf(const ShapeSettings& chosen) const;
+  Json write(const PopulationShape& value) const;
+  bool isOf(const PopulationShape& chosen) const;
 };
 
 }  // namespace parhelion::kinds

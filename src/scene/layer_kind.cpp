@@ -44,7 +44,7 @@ LayerSettings readLayer(const toml::table& table, Complaints& complaints) {
     complaints.add(placeOf(table.source(), complaints), "a layer needs a name", "name = \"cza\"");
   else if (!reader.rejected("name") && !isLayerName(*keys.name))
     reader.reject("name", "a layer's name must not be \"rest\" nor have '.', '/', '\\' or a space at its ends");
-  return {keys.name.value_or(""), keys.paths, keys.populations, keys.tilt};
+  return {keys.name.value_or(""), keys.paths, keys.populations, keys.tilt, keys.order};
 }
 
 }  // namespace
@@ -127,6 +127,22 @@ bool isNamed(const std::vector<std::string>& names, const std::string& name) {
   return names.empty() || std::ranges::find(names, name) != names.end();
 }
 
+int ordersOf(const Scene& scene) { return scene.cloud ? scene.cloud->orders : 1; }
+
+/// Complains about light that a layer asks for and the scene does not have.
+void checkOrder(const LayerSettings& layer, const Scene& scene, const Place& place, Complaints& complaints) {
+  if (!layer.order) return;
+  if (*layer.order > ordersOf(scene))
+    complaints.add(place,
+                   "this light is not in the picture: its light is scattered " +
+                       (ordersOf(scene) == 1 ? std::string("once") : std::to_string(ordersOf(scene)) + " times") +
+                       " at most",
+                   "say orders = " + std::to_string(*layer.order) + " or more in [cloud]");
+  if (*layer.order > 1 && (layer.paths || !layer.populations.empty() || layer.tilt))
+    complaints.add(place, "light that was scattered more than once has no one path, population or tilt",
+                   "leave these out of a layer with 'order'");
+}
+
 /// Whether a crystal of this mesh has the faces of some path that a pattern takes.
 bool hasFacesFor(const PathPattern& pattern, const Population& population) {
   std::vector<int> numbers;
@@ -182,6 +198,11 @@ void checkStances(const PathPattern& pattern, const std::vector<std::string>& po
 void checkLayers(const toml::table& root, Scene& scene, Complaints& complaints) {
   PathSettings& paths = scene.trace.paths;
   if (const toml::node* node = root["trace"]["filter"].node(); node && paths.filter) {
+    if (ordersOf(scene) > 1)
+      complaints.add(placeOf(node->source(), complaints),
+                     "a filter keeps paths through one crystal, and light that was "
+                     "scattered more than once has none",
+                     "leave 'filter' out, or say orders = 1 in [cloud]");
     checkNames(paths.filter->populations, scene, placeOf(node->source(), complaints), complaints);
     checkStances(*paths.filter, {}, scene, placeOf(node->source(), complaints), complaints);
   }
@@ -194,6 +215,7 @@ void checkLayers(const toml::table& root, Scene& scene, Complaints& complaints) 
       return placeOf((node ? *node : static_cast<const toml::node&>(*table)).source(), complaints);
     };
     const LayerSettings& layer = paths.layers[i];
+    checkOrder(layer, scene, placeOfKey("order"), complaints);
     checkNames(layer.populations, scene, placeOfKey("populations"), complaints);
     if (!layer.paths) continue;
     checkNames(layer.paths->populations, scene, placeOfKey("paths"), complaints);
@@ -219,7 +241,7 @@ void addLayerPerPopulation(const toml::table& root, Scene& scene, Complaints& co
     if (!isLayerName(population.name))
       complaints.add(place, "the population's name \"" + population.name + "\" cannot be that of a layer",
                      "it must not be \"rest\" nor have '.', '/', '\\' or a space at its ends");
-    layers.push_back({population.name, {}, {population.name}, {}});
+    layers.push_back({population.name, {}, {population.name}, {}, {}});
   }
 }
 

@@ -42,10 +42,10 @@ OrientationSettings orientationOf(const PopulationKeys& keys) {
 /// "a", "b" or "c" of the shapes that have a key.
 std::string shapesWith(std::string_view key) {
   std::string list;
-  for (std::size_t i = 0; i < Family<ShapeSettings>::size(); ++i) {
-    const auto own = keysOfChosen(PopulationKeys{.shape = Family<ShapeSettings>::member(i)}).own;
+  for (std::size_t i = 0; i < Family<PopulationShape>::size(); ++i) {
+    const auto own = keysOfChosen(PopulationKeys{.shape = Family<PopulationShape>::member(i)}).own;
     if (std::find(own.begin(), own.end(), key) == own.end()) continue;
-    list += (list.empty() ? "\"" : " or \"") + std::string(kNamesOf<ShapeSettings>[i]) + '"';
+    list += (list.empty() ? "\"" : " or \"") + std::string(kNamesOf<PopulationShape>[i]) + '"';
   }
   return list;
 }
@@ -70,6 +70,10 @@ void checkShape(TableReader& reader, const PopulationKeys& keys) {
                   "it needs shape = " + shapesWith(key));
   }
   if (const auto* pyramid = std::get_if<PyramidSettings>(&keys.shape)) checkLength(reader, *pyramid);
+  const auto* haze = std::get_if<HazeWords>(&keys.shape);
+  if (reader.has("phase") && !haze)
+    reader.reject("phase", "a " + std::string(nameOf(keys.shape)) + " has no 'phase'", "it needs shape = \"haze\"");
+  if (haze && haze->g && keys.phase) reader.reject("g", "'g' cannot be used together with 'phase'");
 }
 
 /// Why an orientation has neither tilt nor roll of its own, and what to do about it; nothing where it has.
@@ -92,6 +96,11 @@ std::optional<NoSpread> noSpreadOf(const OrientationWords& orientation) {
 }
 
 void checkOrientation(TableReader& reader, const PopulationKeys& keys) {
+  if (std::holds_alternative<HazeWords>(keys.shape)) {
+    for (const std::string_view key : {"orientation", "tilt", "roll"})
+      if (reader.has(key)) reader.reject(key, "haze has no '" + std::string(key) + "'", "leave it out");
+    return;
+  }
   if (reader.rejected("orientation")) return;
   const std::optional<NoSpread> none = noSpreadOf(keys.orientation);
   if (!none) return;
@@ -99,19 +108,34 @@ void checkOrientation(TableReader& reader, const PopulationKeys& keys) {
     if (reader.has(key)) reader.reject(key, std::string("'").append(key) + "' " + none->reason, none->hint);
 }
 
-PopulationSettings readPopulation(TableReader& reader, std::size_t index) {
+PhaseSettings phaseOf(const HazeWords& haze, const std::optional<PhaseTable>& table) {
+  if (table) return *table;
+  return HenyeyGreenstein{haze.g.value_or(HenyeyGreenstein{}.g)};
+}
+
+/// Puts one more into a scene and returns its name.
+std::string readPopulation(TableReader& reader, std::size_t index, Scene& scene) {
   PopulationKeys keys;
   visitKeys(reader, keys);
   reader.rejectUnknown();
   checkShape(reader, keys);
   checkOrientation(reader, keys);
   const std::string name = keys.name.value_or(std::string("population ").append(std::to_string(index + 1)));
-  return {name, keys.weight, keys.shape, orientationOf(keys)};
+  std::visit(Overloaded{
+                 [&](const HazeWords& haze) {
+                   scene.hazes.push_back({name, keys.weight, phaseOf(haze, keys.phase)});
+                 },
+                 [&](const auto& shape) {
+                   scene.populations.push_back({name, keys.weight, shape, orientationOf(keys)});
+                 },
+             },
+             keys.shape);
+  return name;
 }
 
 }  // namespace
 
-bool kinds::Populations::read(const Value& in, std::vector<PopulationSettings>& out) const {
+bool kinds::Populations::read(const Value& in, Scene& out) const {
   const toml::array* list = in.node.as_array();
   if (!list) return in.mustBe("a list of tables", "begin each population with [[population]], in double brackets");
   if (list->empty()) return in.reject("a scene needs at least one population");
@@ -122,12 +146,15 @@ bool kinds::Populations::read(const Value& in, std::vector<PopulationSettings>& 
     const toml::table* table = node.as_table();
     if (!table) return Value{node, in.key, in.complaints}.mustBe("a list of tables");
     TableReader reader(*table, "[[population]]", in.complaints);
-    out.push_back(readPopulation(reader, out.size()));
-    anyWeight = anyWeight || out.back().weight > 0.0 || reader.rejected("weight");
-    const bool isNew = names.insert(out.back().name).second;
-    const std::string message = "the name of this population is taken: \"" + out.back().name + '"';
+    const std::string name = readPopulation(reader, out.populations.size() + out.hazes.size(), out);
+    const bool isCrystals = !out.populations.empty() && out.populations.back().name == name;
+    anyWeight = anyWeight || (isCrystals && out.populations.back().weight > 0.0) || reader.rejected("weight");
+    const bool isNew = names.insert(name).second;
+    const std::string message = "the name of this population is taken: \"" + name + '"';
     if (!isNew) Value{reader.has("name") ? *table->get("name") : node, in.key, in.complaints}.reject(message);
   }
+  if (out.populations.empty())
+    return in.reject("a scene needs a population of crystals", "haze stands beside them, for one with a weight of 1e6");
   if (!anyWeight) return in.reject("all populations have the weight 0; at least one must have more");
   return true;
 }

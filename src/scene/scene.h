@@ -9,6 +9,7 @@
 #include "optics/light_settings.h"
 #include "recon/recon_settings.h"
 #include "sky/camera_settings.h"
+#include "trace/haze_settings.h"
 #include "trace/slab_settings.h"
 #include "trace/trace_settings.h"
 
@@ -19,6 +20,7 @@ struct Scene {
   SunSettings sun;
   IceSettings ice;
   std::vector<PopulationSettings> populations;  // at least one
+  std::vector<HazeSettings> hazes;              // beside them
   std::optional<SlabSettings> cloud;            // none: single crystals, in units of the light that they intercept
   CameraSettings camera;
   SkySettings sky;

@@ -113,7 +113,8 @@ void visitKeys(Visitor& v, IceSettings& ice) {
 struct PopulationKeys {
   std::optional<std::string> name = std::nullopt;
   double weight = PopulationSettings{}.weight;
-  ShapeSettings shape = PopulationSettings{}.shape;
+  PopulationShape shape = PrismSettings{};
+  std::optional<PhaseTable> phase = std::nullopt;  // of haze
   OrientationWords orientation = OrientationName::random;
   std::optional<AngleDistribution> tilt = std::nullopt;  // about 0
   std::optional<AngleDistribution> roll = std::nullopt;  // about 0
@@ -124,8 +125,9 @@ void visitKeys(Visitor& v, PopulationKeys& p) {
   v.key("name", kinds::Optional{kinds::Text{}}, p.name, "Name, unique; \"population 1\" and so on when left out.");
   v.key("weight", kinds::Number{{0, 1e9}}, p.weight,
         "Share of all crystal surface in the cloud; the shares need not add up to 1.");
-  v.key("shape", kinds::Choice<ShapeSettings>{}, p.shape,
-        "\"prism\": hexagonal prism, a plate or a column by its aspect; \"pyramid\": with pyramids on its ends.");
+  v.key("shape", kinds::Choice<PopulationShape>{}, p.shape,
+        "\"prism\": hexagonal prism, a plate or a column by its aspect; \"pyramid\": with pyramids on its ends; "
+        "\"haze\": irregular crystals, which scatter by a phase function.");
   v.key(
       "aspect", kinds::Aspect{}, p.shape,
       "Length along the c axis over the distance between opposite vertices of the hexagon (of a pyramid: of its prism "
@@ -136,6 +138,11 @@ void visitKeys(Visitor& v, PopulationKeys& p) {
         "Pyramids: height of the lower one as a share of its full height.");
   v.key("slope", kinds::MemberOf(kinds::Angle{{0, 90, true, true}}, &PyramidSettings::slope), p.shape,
         "Pyramids: angle between their faces and the c axis, degrees.");
+  v.key("g", kinds::MemberOf(kinds::Optional{kinds::Number{{-1, 1, true, true}}}, &HazeWords::g), p.shape,
+        "Haze: mean cosine of the angle of scattering, of Henyey and Greenstein's phase function; 0.75 when left out.");
+  v.key("phase", kinds::Optional{kinds::Phase{}}, p.phase,
+        "Haze: its phase function instead, as a list of [angle, value]: angles grow from 0 to 180 degrees, values are "
+        "in any unit.");
   v.key(
       "orientation", kinds::Orientation{}, p.orientation,
       "\"random\", \"plate\" (c axis vertical), \"column\" (horizontal), \"parry\" (horizontal, two prism faces too), "
@@ -190,12 +197,16 @@ void visitKeys(Visitor& v, TraceSettings& trace) {
         "Keeps only light of such raypaths: a pattern such as \"3-5\", or the name of a halo.");
 }
 
+/// The most orders that a number asks for; more are "all".
+inline constexpr int kMostOrders = 1'000'000;
+
 /// A [[layer]] as its keys say it.
 struct LayerKeys {
   std::optional<std::string> name = std::nullopt;
   std::optional<PathPattern> paths = std::nullopt;
   std::vector<std::string> populations = {};
   std::optional<LayerSettings::TiltRange> tilt = std::nullopt;
+  std::optional<int> order = std::nullopt;
 };
 
 template <class Visitor>
@@ -208,6 +219,8 @@ void visitKeys(Visitor& v, LayerKeys& layer) {
   v.key("populations", kinds::Names{}, layer.populations, "Populations of the layer by name. All when left out.");
   v.key("tilt", kinds::Optional{kinds::Tilts{}}, layer.tilt,
         "Range of the crystals' own tilt from their rest, degrees; the end is not in it.");
+  v.key("order", kinds::Optional{kinds::WholeNumber{1, kMostOrders}}, layer.order,
+        "How often the light was scattered in the [cloud]. Any number of times when left out.");
 }
 
 /// How layers are said in short.
@@ -271,14 +284,15 @@ template <class Visitor>
 void visitKeys(Visitor& v, SlabKeys& slab) {
   v.key("optical_depth", kinds::Optional{kinds::Number{{0, 1e4, true}}}, slab.opticalDepth,
         "Vertical depth of the cloud by the shadows of its crystals. Pictures are in cd/m2 then.");
-  v.key("orders", kinds::FirstOrder{}, slab.orders, "How often light may be scattered: 1, as yet.");
+  v.key("orders", kinds::Orders{}, slab.orders,
+        "How often light may be scattered: 1, 2 and so on, or \"all\" until it has left the cloud.");
 }
 
 template <class Visitor>
 void visitKeys(Visitor& v, Scene& scene) {
   v.key("sun", kinds::SunTable{}, scene.sun, "The source of light.");
   v.key("ice", kinds::Table<IceSettings>{"[ice]"}, scene.ice, "What the crystals are made of.");
-  v.key("population", kinds::Populations{}, scene.populations, "The crystals: at least one population.");
+  v.key("population", kinds::Populations{}, scene, "The crystals: at least one population.");
   v.key(
       "cloud", kinds::Slab{}, scene.cloud,
       "The cloud that the crystals are in. Left out: single crystals, whose light is in units of what they intercept.");

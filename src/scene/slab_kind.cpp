@@ -3,13 +3,56 @@
 
 namespace parhelion {
 
-bool kinds::FirstOrder::read(const Value& in, int& out) const {
-  if (in.node.value_exact<std::int64_t>() != 1) return in.mustBe("1: light is followed to its first scattering only");
-  out = 1;
+namespace {
+
+constexpr const char* kAll = "all";
+
+}  // namespace
+
+bool kinds::Orders::read(const Value& in, int& out) const {
+  if (in.string() == kAll) {
+    out = SlabSettings::kAllOrders;
+    return true;
+  }
+  const auto number = in.node.value_exact<std::int64_t>();
+  if (!number || *number < 1 || *number > kMostOrders)
+    return in.mustBe("a whole number from 1 to " + std::to_string(kMostOrders) + " or \"all\"");
+  out = static_cast<int>(*number);
   return true;
 }
 
-Json kinds::FirstOrder::schema() const { return {{"const", 1}}; }
+Json kinds::Orders::schema() const {
+  return {{"anyOf", {{{"type", "integer"}, {"minimum", 1}, {"maximum", kMostOrders}}, {{"enum", {kAll}}}}}};
+}
+
+bool kinds::Phase::read(const Value& in, PhaseTable& out) const {
+  constexpr Range kDegrees{0, 180}, kValues{0, 1e30};
+  const toml::array* list = in.node.as_array();
+  const auto complain = [&] {
+    return in.mustBe("a list of two or more [angle, value], angles growing from 0 to 180 degrees, values not negative");
+  };
+  if (!list || list->size() < 2) return complain();
+  double sum = 0.0;
+  for (const toml::node& node : *list) {
+    const toml::array* pair = node.as_array();
+    if (!pair || pair->size() != 2) return complain();
+    const auto angle = Value{*pair->get(0), in.key, in.complaints}.numberIn(kDegrees),
+               value = Value{*pair->get(1), in.key, in.complaints}.numberIn(kValues);
+    if (!angle || !value || (out.angles.empty() ? *angle != 0.0 : !(radians(*angle) > out.angles.back())))
+      return complain();
+    out.angles.push_back(radians(*angle));
+    out.values.push_back(*value);
+    sum += *value;
+  }
+  if (out.angles.back() != radians(180.0) || !(sum > 0.0)) return complain();
+  return true;
+}
+
+Json kinds::Phase::schema() const {
+  const Json pair = {
+      {"type", "array"}, {"minItems", 2}, {"maxItems", 2}, {"items", {{"type", "number"}, {"minimum", 0}}}};
+  return {{"type", "array"}, {"minItems", 2}, {"items", pair}};
+}
 
 bool kinds::Slab::read(const Value& in, std::optional<SlabSettings>& out) const {
   const toml::table* table = in.node.as_table();
@@ -17,13 +60,13 @@ bool kinds::Slab::read(const Value& in, std::optional<SlabSettings>& out) const 
   TableReader reader(*table, "[cloud]", in.complaints);
   SlabKeys keys;
   visitKeys(reader, keys);
-  if (!reader.rejectUnknown() || reader.rejected("optical_depth")) return false;
+  if (!reader.rejectUnknown() || reader.rejected("optical_depth") || reader.rejected("orders")) return false;
   if (!keys.opticalDepth) {
     in.complaints.add(placeOf(in.node.source(), in.complaints), "[cloud] needs an 'optical_depth'",
                       "the vertical one, by the shadows of the crystals: optical_depth = 0.3");
     return false;
   }
-  out = SlabSettings{*keys.opticalDepth};
+  out = SlabSettings{*keys.opticalDepth, keys.orders};
   return true;
 }
 

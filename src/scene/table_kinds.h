@@ -93,11 +93,18 @@ struct Recon {
   Json write(const ReconSettings&) const { return {}; }
 };
 
-/// How often light may be scattered: once, as yet.
-struct FirstOrder {
+/// How often light may be scattered: a whole number, or "all".
+struct Orders {
   bool read(const Value& in, int& out) const;
   Json schema() const;
   Json write(int orders) const { return orders; }
+};
+
+/// A phase function as a list of pairs.
+struct Phase {
+  bool read(const Value& in, PhaseTable& out) const;
+  Json schema() const;
+  Json write(const PhaseTable&) const { return {}; }
 };
 
 /// [cloud], whose depth must be said.
@@ -128,11 +135,11 @@ struct Ground {
   Json write(double) const { return {}; }
 };
 
-/// The list of [[population]] tables.
+/// The list of [[population]] tables, which are crystals and haze.
 struct Populations {
-  bool read(const Value& in, std::vector<PopulationSettings>& out) const;
+  bool read(const Value& in, Scene& out) const;
   Json schema() const;
-  Json write(const std::vector<PopulationSettings>&) const { return {}; }
+  Json write(const Scene&) const { return {}; }
 };
 
 /// [from, to], degrees.

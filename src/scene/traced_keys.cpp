@@ -104,12 +104,13 @@ class KeyLister {
     const auto& [filter, layers] = settings;
     static_cast<void>(filter);  // of all that is traced
     for (std::size_t i = 0; i < layers.size(); ++i) {
-      const auto& [name, paths, populations, tilt] = layers[i];
+      const auto& [name, paths, populations, tilt, order] = layers[i];
       prefix_ = "layer." + std::to_string(i) + ".";
       put("name", name);
       if (paths) put("paths", paths->text);
       for (const std::string& one : populations) put("population", one);
       if (tilt) put("tilt", digitsOf(tilt->from) + " " + digitsOf(tilt->to));
+      if (order) put("order", std::to_string(*order));
     }
     prefix_.clear();
   }

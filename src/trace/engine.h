@@ -24,6 +24,9 @@ using Intersector = std::variant<EmbreeIntersector, PlanesIntersector>;
 /// One intersector a population, in the populations' order. Valid as long as the cloud.
 using Intersectors = std::vector<Intersector>;
 
+/// Whether an engine follows rays, and nothing else.
+constexpr bool isTraced(Engine engine) { return engine != Engine::integral && engine != Engine::mixed; }
+
 /// The engine asked for, or the planes where the choice is left and all crystals are convex.
 Engine engineOf(const Cloud& cloud, Engine asked);
 

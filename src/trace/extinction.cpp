@@ -17,6 +17,8 @@ namespace parhelion {
 
 namespace {
 
+// The mean shadow of a convex body in any orientation is a quarter of its surface (Cauchy).
+constexpr double kRandomShadow = 0.25;
 // Elevations, closer toward the horizon, and azimuths where these matter.
 constexpr int kShadowRows = 31, kUndeviatedRows = 13, kAzimuths = 24;
 // For each direction: crystals whose shadows are measured, and rays that show what passes undeviated.
@@ -90,8 +92,7 @@ Extinction::Kind Extinction::kindOf(const SunSettings& sun, const IceSettings& i
   const int columns = hasFreeAzimuths(settings) ? 1 : kAzimuths;
   const bool isRandom = population.isFullyRandom();
   Kind kind{population.weight(), {isRandom ? 1 : kShadowRows, columns}, {isRandom ? 1 : kUndeviatedRows, columns}};
-  // The mean shadow of a convex body in any orientation is a quarter of its surface (Cauchy).
-  if (isRandom) kind.shadow[0] = 0.25;
+  if (isRandom) kind.shadow[0] = kRandomShadow;
   if (!isRandom)
     forEach(kind.shadow.size(),
             [&](std::size_t k) { kind.shadow[k] = meanShadow(population, faces, kind.shadow.directionOf(k)); });
@@ -109,11 +110,12 @@ Extinction::Kind Extinction::kindOf(const SunSettings& sun, const IceSettings& i
   return kind;
 }
 
-Extinction::Extinction(const SunSettings& sun, const IceSettings& ice,
-                       std::span<const PopulationSettings> populations) {
+Extinction::Extinction(const SunSettings& sun, const IceSettings& ice, std::span<const PopulationSettings> populations,
+                       std::span<const HazeSettings> hazes) {
   for (const PopulationSettings& population : populations)
     if (population.weight > 0.0) kinds_.push_back(kindOf(sun, ice, population));
-  if (kinds_.empty()) throw std::invalid_argument("no population has any weight");
+  for (const HazeSettings& haze : hazes) haze_ += haze.weight * kRandomShadow;
+  if (kinds_.empty() && !(haze_ > 0.0)) throw std::invalid_argument("no population has any weight");
   zenith_ = at(Vec3(0.0, 0.0, 1.0)).shadow;
 }
 
@@ -126,13 +128,13 @@ Extinction::Crystals Extinction::at(const Vec3& toLight) const {
   const double elevation = arctangent(up.z, std::sqrt(up.x * up.x + up.y * up.y)) / (0.5 * kPi),
                turns = arctangent(-up.y, up.x) / (2.0 * kPi);
   const Place place{std::sqrt(std::clamp(elevation, 0.0, 1.0)), turns - std::floor(turns)};
-  Crystals all{0.0, 0.0};
+  Crystals all{haze_, 0.0};
   for (const Kind& kind : kinds_) {
     const double shadow = kind.weight * kind.shadow.at(place);
     all.shadow += shadow;
     all.undeviated += shadow * kind.undeviated.at(place);
   }
-  return {all.shadow / zenith_, all.undeviated / all.shadow};
+  return {all.shadow / zenith_, all.undeviated / all.shadow, haze_ / all.shadow};
 }
 
 }  // namespace parhelion

@@ -7,6 +7,7 @@
 #include "crystal/population_settings.h"
 #include "math/conventions.h"
 #include "optics/light_settings.h"
+#include "trace/haze_settings.h"
 
 namespace parhelion {
 
@@ -20,11 +21,13 @@ class Extinction {
  public:
   /// Of crystals as light of that sun's spectrum meets them. In parallel; the same bits for any number of threads.
   /// Throws std::invalid_argument when no population has any weight.
-  Extinction(const SunSettings& sun, const IceSettings& ice, std::span<const PopulationSettings> populations);
+  Extinction(const SunSettings& sun, const IceSettings& ice, std::span<const PopulationSettings> populations,
+             std::span<const HazeSettings> hazes = {});
 
   struct Crystals {
-    double shadow;      // their mean, in units of that of light from the zenith
-    double undeviated;  // how much of what meets them goes on as if they were not there, through parallel faces
+    double shadow;        // their mean, in units of that of light from the zenith
+    double undeviated;    // how much of what meets them goes on as if they were not there, through parallel faces
+    double ofHaze = 0.0;  // how much of the shadow is that of haze
   };
 
   /// Whether azimuths make no difference.
@@ -64,6 +67,7 @@ class Extinction {
   static Kind kindOf(const SunSettings& sun, const IceSettings& ice, const PopulationSettings& population);
 
   std::vector<Kind> kinds_;
+  double haze_ = 0.0;  // its shadow, from all sides
   double zenith_ = 1.0;
 };
 

@@ -92,7 +92,7 @@ PathPlan::OfPopulation PathPlan::planFor(const Population& population, const Pat
   };
   for (int layer = 0; layer < layers_; ++layer) {
     const LayerSettings& own = settings.layers[static_cast<std::size_t>(layer)];
-    if (own.isOf(population.name())) add(own.paths ? *own.paths : anything(), layer);
+    if (own.isOf(population.name()) && own.order.value_or(1) == 1) add(own.paths ? *own.paths : anything(), layer);
   }
   constexpr int kFilter = -1;
   if (settings.filter) add(*settings.filter, kFilter);

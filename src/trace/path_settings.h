@@ -22,6 +22,12 @@ struct LayerSettings {
   std::optional<PathPattern> paths;
   std::vector<std::string> populations;  // by name; empty: all
   std::optional<TiltRange> tilt;
+  std::optional<int> order = std::nullopt;  // how often the light was scattered in a cloud
+
+  /// Whether light that was scattered twice or more may belong here: it has no one path, population or tilt.
+  bool takesOrder(int scattered) const {
+    return !paths && populations.empty() && !tilt && (!order || *order == scattered);
+  }
 
   bool isOf(const std::string& population) const {
     return populations.empty() || std::find(populations.begin(), populations.end(), population) != populations.end();

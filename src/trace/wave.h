@@ -42,6 +42,13 @@ class Wave {
   /// bundles().
   void trace(std::uint64_t first, int count, int members, Film& tally);
 
+  /// The exits of the rays that somebody else has put into a queue of that population, one a bundle, until the next
+  /// call. Bundles must differ in their numbers, which their random numbers depend on.
+  ExitList& exitsOf(RayQueue& queue, int population) {
+    follow(queue, population, 1);
+    return exits_;
+  }
+
   /// What was done since takeCounts() was last called.
   const TraceCounts& counts() const { return counts_; }
   TraceCounts takeCounts() { return std::exchange(counts_, {}); }

@@ -119,8 +119,8 @@ TEST_CASE("pictures with air say that their white is 1 cd/m^2 and have the same 
   const LoadedScene loaded = smallScene({"sky.air=true", "sun.visible=true"});
   const TracedSky traced = traceSky(loaded, cloudOf(loaded.scene));
   Image one = developSky(traced, loaded, 1).image, four = one;
-  writeSky(folder / "one.exr", one, traced.tally.info(), loaded, Gamut::exact, 1);
-  writeSky(folder / "four.exr", four, traced.tally.info(), loaded, Gamut::exact, 4);
+  writeSky(folder / "one.exr", one, traced.tally.info(), loaded, Gamut::exact, {{}, 1});
+  writeSky(folder / "four.exr", four, traced.tally.info(), loaded, Gamut::exact, {{}, 4});
   for (std::size_t c = 0; c < one.channels.size(); ++c) CHECK(one.channels[c].samples == four.channels[c].samples);
   std::ifstream file(folder / "one.exr", std::ios::binary);
   const std::string bytes((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());

@@ -240,8 +240,10 @@ TEST_CASE("a cloud has a depth, and light that is scattered once") {
   CHECK_FALSE(sceneOf("[[population]]\n").cloud);
   CHECK(cloudOf("optical_depth = 0.5")->opticalDepth == 0.5);
   CHECK(cloudOf("optical_depth = 2\norders = 1")->opticalDepth == 2.0);
-  CHECK(errorsOf("[[population]]\n[cloud]\noptical_depth = 1\norders = 2").at(0).message ==
-        "'orders' must be 1: light is followed to its first scattering only, not 2");
-  for (const char* wrong : {"optical_depth = -1", "optical_depth = 0", "orders = 1", "optical_depth = 1\norders = 2"})
+  CHECK(cloudOf("optical_depth = 2\norders = 7")->orders == 7);
+  CHECK(cloudOf("optical_depth = 2\norders = \"all\"")->orders == SlabSettings::kAllOrders);
+  CHECK(errorsOf("[[population]]\n[cloud]\noptical_depth = 1\norders = 0").at(0).message ==
+        "'orders' must be a whole number from 1 to 1000000 or \"all\", not 0");
+  for (const char* wrong : {"optical_depth = -1", "optical_depth = 0", "orders = 1", "optical_depth = 1\norders = 1.5"})
     CHECK_THROWS_AS(cloudOf(wrong), SceneError);
 }

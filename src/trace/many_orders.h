@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "crystal/crystal_mesh.h"
+#include "trace/cloud.h"
+#include "trace/engine.h"
+#include "trace/extinction.h"
+#include "trace/path_plan.h"
+#include "trace/phase_function.h"
+#include "trace/slab_depth.h"
+#include "trace/slab_settings.h"
+
+namespace parhelion {
+
+/// What falls on a slab and what the slab is made of.
+struct SlabContents {
+  SunSettings sun;
+  IceSettings ice;
+  std::vector<PopulationSettings> populations;
+  std::vector<HazeSettings> hazes;
+};
+
+/// Sunlight in a slab of crystals, and how it is scattered there by one crystal after the other: what walks are drawn
+/// from. Immutable; safe to use from many threads.
+class ManyOrders {
+ public:
+  /// `extinction` is that of the contents and must outlive it. Throws as Extinction does, and std::runtime_error when
+  /// the engine fails.
+  ManyOrders(SlabContents contents, const SlabSettings& slab, const Extinction& extinction, Engine engine);
+
+  /// Crystals are proposed in proportion to their surface times a bound of their interception (IncidenceTable), and
+  /// taken in proportion to the interception itself.
+  struct Kind {
+    int population;  // index into the cloud's; of haze, into phases(), behind the cloud's
+    bool isHaze;
+    double bound;
+    double below;  // share of the proposals of this kind and those before it
+  };
+  const std::vector<Kind>& kinds() const { return kinds_; }
+  const Kind& kindAt(double u) const;
+
+  /// A direction of sunlight, for two numbers in (0, 1).
+  Vec3 sunlight(double u1, double u2) const;
+
+  /// A wavelength.
+  SpectralSample light(double u) const;
+  double iceIndex(double wavelength, std::uint64_t walk) const { return refractiveIndex(ice_, wavelength, walk); }
+
+  /// None where there is nothing but haze.
+  const Cloud* cloud() const { return cloud_ ? &*cloud_ : nullptr; }
+  const Intersectors& engines() const { return engines_; }
+  const PathPlan* paths() const { return paths_ ? &*paths_ : nullptr; }
+  const std::vector<PhaseFunction>& phases() const { return phases_; }
+  const Sun& sun() const { return sun_; }
+  const Spectrum& spectrum() const { return spectrum_; }
+  const SlabDepth& depth() const { return depth_; }
+  int orders() const { return orders_; }
+
+  /// Share of sunlight from the middle of the sun that the slab scatters.
+  double scattered() const { return scattered_; }
+
+  /// For films that ask for a mesh where haze has none.
+  const CrystalMesh& someMesh() const { return someMesh_; }
+
+ private:
+  Sun sun_;
+  std::unique_ptr<const SunDisc> disc_;  // none for a point sun
+  Spectrum spectrum_;
+  IceSettings ice_;
+  std::optional<Cloud> cloud_;
+  Intersectors engines_;
+  std::optional<PathPlan> paths_;
+  std::vector<PhaseFunction> phases_;
+  std::vector<Kind> kinds_;
+  SlabDepth depth_;
+  int orders_;
+  double scattered_;
+  CrystalMesh someMesh_;
+};
+
+/// The share of 1 that a way of some optical depth takes, 1 - exp(-depth), without losing digits of small ones.
+double takenOver(double depth);
+
+}  // namespace parhelion

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+// Haze, and layers by how often light was scattered.
+#include <doctest/doctest.h>
+
+#include "scene_support.h"
+
+using namespace parhelion;
+using namespace parhelion::test;
+
+namespace {
+
+const std::string kCrystals = "[[population]]\n";
+
+std::string hazeOf(const std::string& keys) {
+  return kCrystals + "[[population]]\nname = \"h\"\nshape = \"haze\"\n" + keys + "\n";
+}
+
+std::string messageOf(const std::string& text) { return errorsOf(text).at(0).message; }
+
+}  // namespace
+
+TEST_CASE("haze stands beside the crystals, with g or a table for its phase function") {
+  const Scene scene = sceneOf(hazeOf("g = 0.85\nweight = 3"));
+  REQUIRE(scene.hazes.size() == 1);
+  CHECK(scene.populations.size() == 1);
+  CHECK(scene.hazes[0].name == "h");
+  CHECK(scene.hazes[0].weight == 3.0);
+  CHECK(std::get<HenyeyGreenstein>(scene.hazes[0].phase).g == 0.85);
+  CHECK(std::get<HenyeyGreenstein>(sceneOf(hazeOf("")).hazes[0].phase).g == 0.75);
+  const auto table = std::get<PhaseTable>(sceneOf(hazeOf("phase = [[0, 10], [30, 1], [180, 0.5]]")).hazes[0].phase);
+  CHECK(table.angles.size() == 3);
+  CHECK(table.angles[1] == doctest::Approx(radians(30.0)));
+  CHECK(table.values[2] == 0.5);
+}
+
+TEST_CASE("what haze does not have is refused") {
+  CHECK(messageOf(hazeOf("aspect = 1")) == "a haze has no 'aspect'");
+  CHECK(messageOf(hazeOf("tilt = 1")) == "haze has no 'tilt'");
+  CHECK(messageOf(hazeOf("g = 0.5\nphase = [[0, 1], [180, 1]]")) == "'g' cannot be used together with 'phase'");
+  CHECK(messageOf(hazeOf("g = 1")).starts_with("'g' must be a number"));
+  for (const char* wrong : {"[]", "[[0, 1]]", "[[0, 1], [170, 1]]", "[[0, 1], [0, 1], [180, 1]]", "[[0, 0], [180, 0]]",
+                            "[[0, 1], [180, -1]]", "\"file\""})
+    CHECK_MESSAGE(messageOf(hazeOf(std::string("phase = ") + wrong)).starts_with("'phase' must be a list"), wrong);
+  CHECK(messageOf(kCrystals + "g = 0.5") == "a prism has no 'g'");
+  CHECK(messageOf(kCrystals + "phase = [[0, 1], [180, 1]]") == "a prism has no 'phase'");
+  CHECK(messageOf("[[population]]\nshape = \"haze\"\n").starts_with("a scene needs a population of crystals"));
+  CHECK(messageOf(hazeOf("") + "[[population]]\nname = \"h\"\n") == "the name of this population is taken: \"h\"");
+}
+
+TEST_CASE("a layer by order asks for light that the cloud has") {
+  const auto layered = [](const std::string& cloud, const std::string& keys) {
+    return kCrystals + cloud + "[[layer]]\nname = \"l\"\n" + keys + "\n";
+  };
+  const std::string twice = "[cloud]\noptical_depth = 1\norders = 2\n";
+  const Scene scene = sceneOf(layered(twice, "order = 2"));
+  CHECK(scene.trace.paths.layers.at(0).takesOrder(2));
+  CHECK_FALSE(scene.trace.paths.layers.at(0).takesOrder(3));
+  CHECK_FALSE(sceneOf(layered(twice, "paths = \"3-5\"")).trace.paths.layers.at(0).takesOrder(2));
+  CHECK(sceneOf(layered(twice, "")).trace.paths.layers.at(0).takesOrder(2));
+  CHECK(messageOf(layered("", "order = 2")) == "this light is not in the picture: its light is scattered once at most");
+  CHECK(messageOf(layered(twice, "order = 3")) ==
+        "this light is not in the picture: its light is scattered 2 times at most");
+  CHECK(messageOf(layered(twice, "order = 2\npaths = \"3-5\"")) ==
+        "light that was scattered more than once has no one path, population or tilt");
+  CHECK(messageOf(layered(twice, "order = 0")).starts_with("'order' must be"));
+  CHECK(messageOf(kCrystals + twice + "[trace]\nfilter = \"3-5\"\n").starts_with("a filter keeps paths through one"));
+}

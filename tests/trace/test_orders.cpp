@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+// Light that is scattered more than once in a slab: fluxes, energy, order sums.
+#include "trace/trace_orders.h"
+
+#include <cmath>
+
+#include <doctest/doctest.h>
+
+#include "adding_doubling.h"
+#include "crystals.h"
+#include "math/rotation.h"
+#include "statistics.h"
+
+using namespace parhelion;
+using namespace parhelion::test;
+
+namespace {
+
+/// Keeps nothing.
+class NoFilm : public Film {
+ public:
+  int add(const TracedRays&) override { return 0; }
+  std::unique_ptr<Film> forThread() override { return std::make_unique<NoFilm>(); }
+  void merge(Film&) override {}
+};
+
+SlabContents under(double elevation) {
+  SlabContents contents;
+  contents.sun.elevation = radians(elevation);
+  contents.sun.diameter = 0.0;
+  contents.sun.spectrum = MonochromaticSpectrum{550.0};
+  contents.ice = ConstantIce{1.31};
+  return contents;
+}
+
+OrderReport walksThrough(const SlabContents& contents, const SlabSettings& slab, std::uint64_t walks, Film& film,
+                         std::uint64_t seed = 3) {
+  const Extinction extinction(contents.sun, contents.ice, contents.populations, contents.hazes);
+  const ManyOrders orders(contents, slab, extinction, Engine::automatic);
+  TraceControl control;
+  control.threads = 2;
+  return traceOrders(orders, walks, TraceSettings{.seed = seed}, {}, film, control);
+}
+
+OrderLedger energyOf(const SlabContents& contents, const SlabSettings& slab, std::uint64_t walks,
+                     std::uint64_t seed = 3) {
+  NoFilm none;
+  return walksThrough(contents, slab, walks, none, seed).energy;
+}
+
+SlabContents hazeUnder(double elevation, double g) {
+  SlabContents contents = under(elevation);
+  contents.hazes.push_back({"haze", 1.0, HenyeyGreenstein{g}});
+  return contents;
+}
+
+SlabContents crystalsUnder(double elevation, const std::vector<PopulationSettings>& populations) {
+  SlabContents contents = under(elevation);
+  contents.populations = populations;
+  return contents;
+}
+
+constexpr int kAll = SlabSettings::kAllOrders;
+
+}  // namespace
+
+TEST_CASE("adding and doubling has the known flux through an isotropic slab of depth 1") {
+  // Between black walls, as tables of radiative transfer have it: 0.5532 to 0.5534.
+  const SlabFlux flux = AddingDoubling(0.0, 1.0, 0.5).diffuse();
+  CHECK(flux.transmitted == doctest::Approx(0.5534).epsilon(5e-4));
+  CHECK(flux.reflected + flux.transmitted == doctest::Approx(1.0).epsilon(1e-5));
+}
+
+TEST_CASE("haze reflects and transmits as adding and doubling has it, within 4.5 sigma of less than 0.5 %") {
+  constexpr int kRuns = 8;
+  for (const double g : {0.0, 0.75, 0.85})
+    for (const double depth : {0.5, 1.0, 2.0, 8.0}) {
+      CAPTURE(g);
+      CAPTURE(depth);
+      const double elevation = depth == 1.0 ? 60.0 : 20.0;
+      const SlabFlux exact = AddingDoubling(g, depth, std::sin(radians(elevation))).ofSun();
+      SampleMean up, down;
+      for (int run = 0; run < kRuns; ++run) {
+        const OrderLedger walked = energyOf(hazeUnder(elevation, g), {depth, kAll}, 10'000, 3 + run);
+        up.add(walked.reflected());
+        down.add(walked.transmitted());
+      }
+      CHECK(std::abs(up.mean() - exact.reflected) < kSigmas * up.standardError());
+      CHECK(std::abs(down.mean() - exact.transmitted) < kSigmas * down.standardError());
+      CHECK(up.standardError() < 0.015 * exact.reflected);
+    }
+}
+
+TEST_CASE("what falls on a cloud leaves it above or below, order by order, to 1e-9") {
+  const std::vector<PopulationSettings> plates{prismPopulation(0.2, AxisOrientation{Normal{0.0, radians(2.0)}})};
+  for (const double depth : {0.01, 1.0, 50.0})
+    for (const int orders : {1, 3, kAll}) {
+      CAPTURE(depth);
+      CAPTURE(orders);
+      SlabContents mixed = crystalsUnder(20.0, plates);
+      mixed.populations.push_back(prismPopulation(1.0));
+      mixed.hazes.push_back({"haze", 0.5, HenyeyGreenstein{0.8}});
+      const OrderLedger energy = energyOf(mixed, {depth, orders}, depth > 10.0 ? 5000 : 20000);
+      CHECK(std::abs(energy.imbalance()) < 1e-9);
+      CHECK(energy.cutOff.value() < 1e-3 * energy.in.value());
+      if (orders == kAll) CHECK(energy.leftOut.value() == 0.0);
+      if (orders != kAll) CHECK(energy.leftOut.value() > 0.0);
+      if (orders == 1) CHECK(energy.below[1].value() == 0.0);
+    }
+}
+
+TEST_CASE("the direct beam of random columns at depth 1 and sun 20 is 0.108") {
+  const OrderLedger energy = energyOf(crystalsUnder(20.0, {prismPopulation(1.0)}), {1.0, 2}, 1000);
+  CHECK(energy.direct.value() / energy.in.value() == doctest::Approx(0.1084).epsilon(5e-3));
+}
