@@ -5,8 +5,6 @@
 #include <cmath>
 #include <string>
 
-#include <glm/geometric.hpp>
-
 #include "crystal/symmetry.h"
 #include "math/portable.h"
 #include "parallel/loops.h"
@@ -127,9 +125,10 @@ void addHaze(Image& image, const Camera& camera, const Scene& scene, double ofHa
     for (int x = 0; x < image.width; ++x) {
       const auto toSky = camera.toSky({x + 0.5, y + 0.5});
       if (!toSky) continue;
+      const double cosine = toSky->x * toSun.x + toSky->y * toSun.y + toSky->z * toSun.z;
       double sum = 0.0;
       for (std::size_t k = 0; k < phases.size(); ++k)
-        sum += scene.hazes[k].weight * phases[k].at(glm::dot(*toSky, toSun));
+        sum += scene.hazes[k].weight * phases[k].at(cosine);
       light[static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x)] =
           static_cast<float>(ofHaze / weight * sum);
     }
