@@ -92,6 +92,11 @@ std::shared_ptr<const PixelDirections> BandStore::directions(const Camera& camer
   return directions_;
 }
 
+std::vector<double> BandStore::solidAngles(const Camera& camera) const {
+  const bool isKept = directions_ && directions_->camera().settings() == camera.settings();
+  return isKept ? directions_->solidAngles() : camera.solidAngles();
+}
+
 BandStore::Bands& BandStore::open(const BandKind& kind) {
   const auto found = std::ranges::find_if(kinds_, [&](const auto& one) { return one->kind_.covers(kind); });
   Bands* bands = found != kinds_.end() ? found->get() : nullptr;

@@ -96,6 +96,9 @@ class BandStore {
   /// Directions of a camera's pixels; kept until another camera's are asked for.
   std::shared_ptr<const PixelDirections> directions(const Camera& camera);
 
+  /// Solid angles of a camera's pixels (sr).
+  std::vector<double> solidAngles(const Camera& camera) const;
+
   /// Bands of a kind, or of one that covers it. Good until the next picture; without room, until another kind is asked
   /// for.
   Bands& open(const BandKind& kind);

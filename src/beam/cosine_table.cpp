@@ -69,24 +69,32 @@ PARHELION_ALSO_AVX2 void CosineTable::analyse(const std::vector<CellPair<C>>& pa
 template void CosineTable::analyse<2>(const std::vector<CellPair<2>>&, int, float*) const;
 template void CosineTable::analyse<4>(const std::vector<CellPair<4>>&, int, float*) const;
 
-PARHELION_ALSO_AVX2 void CosineTable::synthesise(const float* orders, int channels, int room, float* cells) const {
+template <int C>
+PARHELION_ALSO_AVX2 void CosineTable::synthesise(const float* orders, int room, float* cells) const {
   const int half = cells_ / 2, groups = groupsOf(half);
   for (int group = 0; group < groups; ++group) {
-    EightFloats sum[2][4] = {};
+    EightFloats sum[2][C] = {};
     for (int parity = 0; parity < 2; ++parity) {
       const EightFloats* cosines = byOrder_.data() + static_cast<std::ptrdiff_t>(parity * groups + group) * most_;
-      for (int order = 0; order < room; ++order)
-        for (int c = 0; c < channels; ++c) sum[parity][c] += orders[(c * 2 + parity) * room + order] * cosines[order];
+      EightFloats own[C] = {};
+      for (int order = 0; order < room; ++order) {
+        const EightFloats cosine = cosines[order];
+        for (int c = 0; c < C; ++c) own[c] += orders[(c * 2 + parity) * room + order] * cosine;
+      }
+      for (int c = 0; c < C; ++c) sum[parity][c] = own[c];
     }
     for (int k = 0; k < kGroup; ++k) {
       const int cell = group * kGroup + k;
       if (cell >= half) break;
-      for (int c = 0; c < channels; ++c) {
+      for (int c = 0; c < C; ++c) {
         cells[4 * cell + c] = sum[0][c][k] + sum[1][c][k];
         cells[4 * (cells_ - 1 - cell) + c] = sum[0][c][k] - sum[1][c][k];
       }
     }
   }
 }
+
+template void CosineTable::synthesise<2>(const float*, int, float*) const;
+template void CosineTable::synthesise<4>(const float*, int, float*) const;
 
 }  // namespace parhelion

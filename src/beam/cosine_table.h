@@ -40,9 +40,10 @@ class CosineTable {
   template <int C>
   void analyse(const std::vector<CellPair<C>>& pairs, int room, float* orders) const;
 
-  /// What the cells have: the sums over the orders of their number times that cosine, in each of four channels. `cells`
+  /// What the cells have: the sums over the orders of their number times that cosine, in each of C channels. `cells`
   /// has four floats for each.
-  void synthesise(const float* orders, int channels, int room, float* cells) const;
+  template <int C>
+  void synthesise(const float* orders, int room, float* cells) const;
 
  private:
   int cells_, most_;                    // orders of each parity

@@ -2,6 +2,7 @@
 #include "beam/pixel_directions.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <glm/geometric.hpp>
 
@@ -31,6 +32,13 @@ PixelDirections::PixelDirections(const Camera& camera)
       middles_[static_cast<std::size_t>(y) * (width - 1) + x] =
           camera.directionAt({static_cast<double>(x) + 0.5, y + 0.5}).value_or(Vec3(0.0));
   });
+  for (std::size_t pixel = 0; pixel < middles_.size(); ++pixel) {
+    if (solidAngles_[pixel] <= 0.0) continue;
+    const bool isLit = middles_[pixel] != Vec3(0.0);
+    if (isLit) largest_ = std::max(largest_, std::sqrt(solidAngles_[pixel]));
+    const auto x = static_cast<int>(pixel % (width - 1)), y = static_cast<int>(pixel / (width - 1));
+    hasBroken_ = hasBroken_ || !isLit || !isWhole(x, y);
+  }
 }
 
 bool PixelDirections::isWhole(int x, int y) const {

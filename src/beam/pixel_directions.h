@@ -16,6 +16,13 @@ class PixelDirections {
 
   /// Solid angle (sr) of a pixel; 0 where it shows no sky.
   double solidAngle(std::size_t pixel) const { return solidAngles_[pixel]; }
+  const std::vector<double>& solidAngles() const { return solidAngles_; }
+
+  /// The largest root of a pixel's solid angle, rad, of those whose middles show sky.
+  double largest() const { return largest_; }
+
+  /// Whether any pixel with sky is not whole, or its middle shows none.
+  bool hasBroken() const { return hasBroken_; }
 
   /// The direction of a pixel's middle, or 0 where that shows no sky.
   const Vec3& middle(std::size_t pixel) const { return middles_[pixel]; }
@@ -41,6 +48,8 @@ class PixelDirections {
   Camera camera_;
   std::vector<Vec3> corners_, middles_;  // 0 where there is no sky
   std::vector<double> solidAngles_;
+  double largest_ = 0.0;
+  bool hasBroken_ = false;
 };
 
 }  // namespace parhelion

@@ -104,7 +104,7 @@ class TiltIntegration {
     const long traced = bands.directions();
     sky.start(mesh, light.channels());
     bands.forEach(numbers, [&](std::span<const NumberedBand> some) { sky.add(light, some); });
-    sky.expose(directions_, pixels_);
+    sky.expose(directions_, accuracy_.folds, pixels_);
     result_.totals = sky.totals();
     result_.directions += bands.directions() - traced;
     result_.sheets += static_cast<long>(numbers.size());
@@ -120,22 +120,16 @@ class TiltIntegration {
 
   /// Rings that the picture shows, and those beside them.
   void seenRings(BandMesh& mesh) const {
-    double least = kPi, most = 0.0, largest = 0.0;
-    bool broken = false;
-    for (int y = 0; y < camera_.height(); ++y)
-      for (int x = 0; x < camera_.width(); ++x) {
-        const std::size_t pixel = indexOf(x, y);
-        if (directions_.solidAngle(pixel) <= 0.0) continue;
-        const Vec3& middle = directions_.middle(pixel);
-        const bool isLit = middle != Vec3(0.0);
-        if (!isLit || !directions_.isWhole(x, y)) broken = true;
-        if (!isLit) continue;
-        const double onto = std::clamp(glm::dot(middle, scene_.sun.toCentre), -1.0, 1.0), theta = std::acos(onto);
-        least = std::min(least, theta);
-        most = std::max(most, theta);
-        largest = std::max(largest, std::sqrt(directions_.solidAngle(pixel)));
-      }
-    const double beyond = largest + 1.5 * scene_.sun.radius + (broken ? 0.1 : 0.0);
+    double nearest = -1.0, farthest = 1.0;  // cosines
+    for (std::size_t pixel = 0; pixel < directions_.solidAngles().size(); ++pixel) {
+      const Vec3& middle = directions_.middle(pixel);
+      if (directions_.solidAngle(pixel) <= 0.0 || middle == Vec3(0.0)) continue;
+      const double onto = glm::dot(middle, scene_.sun.toCentre);
+      nearest = std::max(nearest, onto);
+      farthest = std::min(farthest, onto);
+    }
+    const double least = std::acos(std::min(nearest, 1.0)), most = std::acos(std::max(farthest, -1.0));
+    const double beyond = directions_.largest() + 1.5 * scene_.sun.radius + (directions_.hasBroken() ? 0.1 : 0.0);
     const double perAngle = mesh.cells / kPi;
     const int step = (mesh.cells + kRingSteps - 1) / kRingSteps;
     mesh.first = std::clamp(static_cast<int>((least - beyond) * perAngle) - 3, 0, mesh.cells - 2) / step * step;
@@ -144,7 +138,7 @@ class TiltIntegration {
 
   void judge() {
     const double factor = ofCoarse();
-    const int width = camera_.width(), height = camera_.height();
+    const int width = camera_.width(), height = camera_.height(), mirrored = accuracy_.folds ? width / 2 : 0;
     result_.xyz.assign(pixels_.size(), {});
     result_.variance.assign(pixels_.size(), 0.0F);
     const std::size_t coarse = colours_ ? 3 : 1, y0 = colours_ ? 1 : 0;
@@ -158,7 +152,7 @@ class TiltIntegration {
     }
     const double least = sky > 0.0 ? kFarRipple * sum / sky : 0.0;
     forRows(height, [&](int y) {
-      for (int x = 0; x < width; ++x) {
+      for (int x = mirrored; x < width; ++x) {
         if (perSolidAngle(x, y) == 0.0) continue;
         // What a pixel's own sums say of its error is itself uncertain: its neighbours are asked, too.
         double most = least * least, lowest = 1e300, highest = 0.0, across = directions_.width(x, y);
@@ -190,9 +184,13 @@ class TiltIntegration {
         const TiltSky::PixelLight lit = litAt(x, y, factor * directions_.solidAngle(i) * std::sqrt(most));
         for (std::size_t c = 0; c < 3; ++c)
           result_.xyz[i][c] = colours_ ? lit[c] : static_cast<float>(static_cast<double>(lit[0]) * grey[c]);
-        errors[static_cast<std::size_t>(y)] += std::sqrt(variance);
-        light[static_cast<std::size_t>(y)] += static_cast<double>(result_.xyz[i][1]);
+        const int seen = x >= width - mirrored ? 2 : 1;  // and in the mirror
+        errors[static_cast<std::size_t>(y)] += seen * std::sqrt(variance);
+        light[static_cast<std::size_t>(y)] += seen * static_cast<double>(result_.xyz[i][1]);
       }
+      const auto mirror = [&](auto row) { std::reverse_copy(row + (width - mirrored), row + width, row); };
+      mirror(result_.xyz.begin() + static_cast<std::ptrdiff_t>(indexOf(0, y)));
+      mirror(result_.variance.begin() + static_cast<std::ptrdiff_t>(indexOf(0, y)));
     });
     const auto together = [](const std::vector<double>& rows) {
       return std::accumulate(rows.begin(), rows.end(), 0.0);

@@ -268,7 +268,11 @@ void TiltSky::synthesise(Crystals& crystals) const {
         const auto at = static_cast<std::size_t>(part * room + k);
         orders[at] = static_cast<float>(weight * static_cast<double>((*crystals.sky)[layout_->placeOf(ring) + at]));
       }
-    cosines_.synthesise(orders.data(), channels, room, plain.data() + static_cast<std::size_t>(row) * stride);
+    float* const cells = plain.data() + static_cast<std::size_t>(row) * stride;
+    if (channels == 4)
+      cosines_.synthesise<4>(orders.data(), room, cells);
+    else
+      cosines_.synthesise<2>(orders.data(), room, cells);
   });
   crystals.cells->resize(std::max(crystals.cells->size(), static_cast<std::size_t>(rings) * stride));
   forRows(rings, [&](int row) {
@@ -292,7 +296,7 @@ PARHELION_ALSO_AVX2 static void lookUpAll(const std::vector<RingLookUp>& rows, c
   store(sum, four);
 }
 
-void TiltSky::expose(const PixelDirections& directions, std::vector<PixelLight>& pixels) {
+void TiltSky::expose(const PixelDirections& directions, bool isMirrored, std::vector<PixelLight>& pixels) {
   std::vector<RingLookUp> rows;
   for (Crystals& crystals : crystals_) {
     synthesise(crystals);
@@ -310,10 +314,12 @@ void TiltSky::expose(const PixelDirections& directions, std::vector<PixelLight>&
   };
   const auto width = static_cast<std::size_t>(camera.width());
   pixels.assign(width * static_cast<std::size_t>(camera.height()), {});
+  // The parhelic circle beside a sun below the zenith crosses the diagonal that most points lie on in the right half.
+  const int mirrored = isMirrored ? camera.width() / 2 : 0;
   forRows(camera.height(), [&](int y) {
     std::vector<Vec3> toSky;
     std::vector<double> parts;
-    for (int x = 0; x < camera.width(); ++x) {
+    for (int x = mirrored; x < camera.width(); ++x) {
       const std::size_t pixel = static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x);
       const double solidAngle = directions.solidAngle(pixel);
       if (solidAngle <= 0.0) continue;
@@ -354,6 +360,8 @@ void TiltSky::expose(const PixelDirections& directions, std::vector<PixelLight>&
       for (double& part : parts) part *= shares * solidAngle / all;
       lookUpAll(rows, toSky.data(), parts.data(), static_cast<int>(toSky.size()), shares, pixels[pixel].data());
     }
+    const auto row = pixels.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(y) * width);
+    std::reverse_copy(row + (camera.width() - mirrored), row + camera.width(), row);
   });
 }
 

@@ -42,8 +42,9 @@ class TiltSky {
   /// Light of a pixel: X, Y, Z, or Y alone as the first; the last is Y of the coarse mesh.
   using PixelLight = std::array<float, 4>;
 
-  /// Takes the means of all pixels, times their solid angles.
-  void expose(const PixelDirections& directions, std::vector<PixelLight>& pixels);
+  /// Takes the means of all pixels, times their solid angles. Of a picture whose left half is the mirror image of its
+  /// right only that is looked at.
+  void expose(const PixelDirections& directions, bool isMirrored, std::vector<PixelLight>& pixels);
 
  private:
   /// The crystals about one elevation of the sun.

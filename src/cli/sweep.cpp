@@ -85,14 +85,17 @@ std::uint64_t memoryOf(const SweepFrame& frame, int threads) {
                      (kPictureBytes + kLayerBytes * static_cast<std::uint64_t>(size.layers));
 }
 
-/// Bytes of light that integrated frames may leave to the next: half of what frames do not take themselves.
-std::uint64_t keptLight(const std::vector<SweepFrame>& frames, int threads) {
-  constexpr std::uint64_t kMost = 4'000'000'000;
+/// Bytes that no frame takes.
+std::uint64_t memoryLeft(const std::vector<SweepFrame>& frames, int threads) {
   std::uint64_t most = 0;
   for (const SweepFrame& frame : frames) most = std::max(most, memoryOf(frame, threads));
   const std::uint64_t room = memoryLimit().bytes;
-  return std::min(kMost, (room - std::min(room, most)) / 2);
+  return room - std::min(room, most);
 }
+
+/// Of these, what light may take that integrated frames leave to the next, and finished frames that wait for previews.
+std::uint64_t keptLight(std::uint64_t left) { return std::min<std::uint64_t>(4'000'000'000, left / 2); }
+std::uint64_t keptPictures(std::uint64_t left) { return std::min<std::uint64_t>(1'000'000'000, left / 8); }
 
 /// Throws before anything is rendered if something cannot be written.
 void requireOutputsOf(const SweepOptions& options, const std::vector<SweepFrame>& frames) {
@@ -135,22 +138,27 @@ void reportFrame(const RunOptions& run, const SweepFrame& frame, std::size_t num
     say("frame %zu of %zu: %s, %.1f s", number, count, frame.valuesText().c_str(), seconds);
 }
 
-/// Renders what is lacking. False if a signal or the time limit, which is for the whole sweep, came first.
-bool renderLacking(const RunOptions& run, const std::vector<SweepFrame>& frames, const StopSignal& stop) {
-  SweepControl control{traceControl(run, &stop), {}, keptLight(frames, run.threads)};
+/// Renders what is lacking. None if a signal or the time limit, which is for the whole sweep, came first.
+std::optional<FramePictures> renderLacking(const RunOptions& run, const std::vector<SweepFrame>& frames,
+                                           const StopSignal& stop) {
+  const std::uint64_t left = memoryLeft(frames, run.threads);
+  SweepControl control{
+      traceControl(run, &stop), {}, keptLight(left), keptPictures(left)};
   control.onFrame = [&](std::size_t frame, double seconds) {
     reportFrame(run, frames[frame], frame + 1, frames.size(), seconds);
   };
-  const SweepReport report = renderFrames(frames, control);
+  SweepReport report = renderFrames(frames, control);
   if (report.complete && report.rendered > 0 && !run.quiet)
     say("energy: open by at most %.1e in any frame", report.worstImbalance);
-  return report.complete && !stop.requested();
+  if (!report.complete || stop.requested()) return std::nullopt;
+  return std::move(report.pictures);
 }
 
 /// The previews of all frames and their contact sheet, if one is asked for. False if a signal came.
-bool makePreviews(const SweepOptions& options, const std::vector<SweepFrame>& frames, const StopSignal& stop) {
-  const auto written =
-      writePreviews(frames, {options.display.settings(), options.contactSheet, &stop.requested(), options.run.threads});
+bool makePreviews(const SweepOptions& options, const std::vector<SweepFrame>& frames, const FramePictures& pictures,
+                  const StopSignal& stop) {
+  const auto written = writePreviews(
+      frames, {options.display.settings(), options.contactSheet, &stop.requested(), options.run.threads, &pictures});
   if (!written || options.run.quiet) return written.has_value();
   say("previews of %zu frames at exposure %s%s", frames.size(), exposureText(written->exposure).c_str(),
       options.display.exposure || options.display.exposureValue ? "" : ", the median of what the frames would choose");
@@ -182,7 +190,8 @@ int runSweep(const SweepOptions& options, const CLI::App& command) {
   requireOutputsOf(options, frames);
   if (!options.run.quiet) reportPlan(frames);
   const StopSignal stop;
-  if (renderLacking(options.run, frames, stop) && makePreviews(options, frames, stop)) {
+  const std::optional<FramePictures> pictures = renderLacking(options.run, frames, stop);
+  if (pictures && makePreviews(options, frames, *pictures, stop)) {
     if (!options.run.quiet) reportWritten(options, frames);
     return kDone;
   }

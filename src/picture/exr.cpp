@@ -30,6 +30,9 @@
 namespace parhelion {
 namespace {
 
+// Of integrated skies: a seventh less time than OpenEXR's own 4 takes, for files larger by 1.4 %.
+constexpr int kZipLevel = 2;
+
 /// SOURCE_DATE_EPOCH as EXR's capDate, "2024:01:31 12:00:00" (UTC); empty if it is not set.
 std::string captureDate() {
   const char* text = std::getenv("SOURCE_DATE_EPOCH");
@@ -53,6 +56,7 @@ std::string captureDate() {
 Imf::Header beautyHeader(const Image& image, ExrAttributes attributes, Envmap envmap) {
   Imf::Header header(image.width, image.height);
   header.compression() = Imf::ZIP_COMPRESSION;
+  header.zipCompressionLevel() = kZipLevel;
   for (const Channel& channel : image.channels) header.channels().insert(channel.name, Imf::Channel(Imf::FLOAT));
   Imf::addChromaticities(header, Imf::Chromaticities());  // the default is Rec.709 with D65
   if (envmap == Envmap::latLong) Imf::addEnvmap(header, Imf::ENVMAP_LATLONG);

@@ -225,7 +225,7 @@ class Sky {
                  const std::vector<std::vector<Tristimulus>>& layers, const SheetTotals& totals) {
     Image& image = result_.image;
     image = {camera_.width(), camera_.height(), {}};
-    const std::vector<double> solidAngles = camera_.solidAngles();
+    const std::vector<double> solidAngles = store_.bands.solidAngles(camera_);
     const Mat3 toRgb = xyzToRec709(result_.info.white);
     const auto add = [&](const std::vector<Tristimulus>& light, const std::string& before) {
       for (const char* name : {"R", "G", "B"}) image.add(before + name);

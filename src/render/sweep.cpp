@@ -53,13 +53,14 @@ std::optional<RenderedFrame> renderFrame(const LoadedScene& loaded, const TraceC
 /// Writes a frame while the next one is rendered, which is in work for long: files are packed by one thread.
 class FrameWriter {
  public:
-  explicit FrameWriter(bool beside) : beside_(beside) {}
+  FrameWriter(bool beside, std::uint64_t mostBytes) : beside_(beside), room_(mostBytes) {}
 
   void write(std::shared_ptr<Transaction> run, const SweepFrame& frame, RenderedFrame rendered) {
     finish();
-    auto work = [run = std::move(run), &frame, rendered = std::move(rendered)]() mutable {
+    auto work = [this, run = std::move(run), &frame, rendered = std::move(rendered)]() mutable {
       writeSky(run->at(frame.exr), rendered.image, rendered.info, frame.loaded, frame.gamut);
       run->commit();
+      keep(frame.exr, std::move(rendered.image));
     };
     written_ = std::async(beside_ ? std::launch::async : std::launch::deferred, std::move(work));
     if (!beside_) finish();
@@ -70,20 +71,42 @@ class FrameWriter {
     if (written_.valid()) written_.get();
   }
 
+  /// Of frames that are finished.
+  FramePictures takePictures() { return std::move(pictures_); }
+
  private:
+  void keep(const std::filesystem::path& exr, Image image) {
+    const std::uint64_t bytes = 3 * sizeof(float) * image.pixels();
+    if (bytes > room_) return;
+    room_ -= bytes;
+    std::erase_if(image.channels, [](const Channel& c) { return c.name != "R" && c.name != "G" && c.name != "B"; });
+    pictures_[exr] = std::move(image);
+  }
+
   bool beside_;
+  std::uint64_t room_;  // bytes
+  FramePictures pictures_;
   std::future<void> written_;
 };
 
+/// Hands a finished frame's picture to `take`.
+template <class F>
+void withPicture(const SweepFrame& frame, const FramePictures* known, const F& take) {
+  if (known)
+    if (const auto picture = known->find(frame.exr); picture != known->end()) return take(picture->second);
+  take(readExr(frame.exr, ExrColours::rec709, {true}).image);
+}
+
 /// Median of the exposures that the frames would choose for themselves, of those that have light: a few frames that
 /// are nearly dark or flooded do not matter, and no two frames differ.
-double medianExposure(std::span<const SweepFrame> frames) {
+double medianExposure(std::span<const SweepFrame> frames, const FramePictures* known) {
   std::vector<std::optional<double>> own(frames.size());
   forEach(frames.size(), [&](std::size_t k) {
-    const Image image = readExr(frames[k].exr, ExrColours::rec709, {true}).image;
-    const std::vector<float>& green = *image.rgb()[1];
-    if (std::any_of(green.begin(), green.end(), [](float g) { return g > 0.0F; }))
-      own[k] = ownExposure(image, frames[k].loaded.scene);
+    withPicture(frames[k], known, [&](const Image& image) {
+      const std::vector<float>& green = *image.rgb()[1];
+      if (std::any_of(green.begin(), green.end(), [](float g) { return g > 0.0F; }))
+        own[k] = ownExposure(image, frames[k].loaded.scene);
+    });
   });
   std::vector<double> stops;
   for (const std::optional<double>& exposure : own)
@@ -114,7 +137,7 @@ SweepReport renderFrames(std::span<const SweepFrame> frames, const SweepControl&
   const RunClock clock;
   SweepReport report;
   LightStore store{BandStore(control.keptLight), {}};
-  FrameWriter writer(Threads(control.trace.threads).count() > 1);
+  FrameWriter writer(Threads(control.trace.threads).count() > 1, control.keptPictures);
   for (std::size_t i = 0; i < frames.size(); ++i) {
     if (frames[i].lacks.empty()) continue;
     const RunClock frameClock;
@@ -136,6 +159,7 @@ SweepReport renderFrames(std::span<const SweepFrame> frames, const SweepControl&
     if (control.onFrame) control.onFrame(i, frameClock.seconds());
   }
   writer.finish();
+  report.pictures = writer.takePictures();
   report.complete = true;
   return report;
 }
@@ -151,25 +175,26 @@ std::size_t previewSome(std::span<const SweepFrame> frames, const SweepPreviewSe
   forEach(frames.size(), [&](std::size_t k) {
     if (settings.stop && *settings.stop) return;
     const SweepFrame& frame = frames[k];
-    const Image image = readExr(frame.exr, ExrColours::rec709, {true}).image;
-    const Preview preview = developPreview(image, tone);
-    badPixels += preview.badPixels;
-    writePreview(together.at(frame.png()), preview, tone.exposureStops, frame.loaded.text);
-    if (!settings.contactSheet.empty()) cells[k] = {reducedToFit(image, layout), labelsOf(frame)};
+    withPicture(frame, settings.known, [&](const Image& image) {
+      const Preview preview = developPreview(image, tone);
+      badPixels += preview.badPixels;
+      writePreview(together.at(frame.png()), preview, tone.exposureStops, frame.loaded.text);
+      if (!settings.contactSheet.empty()) cells[k] = {reducedToFit(image, layout), labelsOf(frame)};
+    });
   });
   return badPixels;
 }
 
 /// Of all frames, whose units are alike.
-ToneSettings toneOf(std::span<const SweepFrame> frames, LightDisplay display) {
-  if (!display.exposure && !display.exposureValue) display.exposure = medianExposure(frames);
+ToneSettings toneOf(std::span<const SweepFrame> frames, LightDisplay display, const FramePictures* known) {
+  if (!display.exposure && !display.exposureValue) display.exposure = medianExposure(frames, known);
   return toneFor(display, {}, whiteLuminanceOf(readExrAttributes(frames.front().exr)));
 }
 
 std::optional<SweepPreviews> writeAllPreviews(std::span<const SweepFrame> frames,
                                               const SweepPreviewSettings& settings) {
   SweepPreviews written;
-  const ToneSettings tone = toneOf(frames, settings.display);
+  const ToneSettings tone = toneOf(frames, settings.display, settings.known);
   written.exposure = tone.exposureStops;
   const SheetLayout layout = layoutOf(frames);
   std::vector<SheetCell> cells(frames.size());

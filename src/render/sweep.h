@@ -5,10 +5,12 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <optional>
 #include <span>
 
 #include "picture/auto_exposure.h"
+#include "picture/image.h"
 #include "render/sweep_frames.h"
 #include "trace/trace.h"
 
@@ -19,13 +21,18 @@ struct SweepControl {
   TraceControl trace;                                              // its time limit is that of the whole sweep
   std::function<void(std::size_t frame, double seconds)> onFrame;  // after each frame that was rendered
   std::uint64_t keptLight = 0;                                     // bytes of it that frames may leave to the next
+  std::uint64_t keptPictures = 0;                                  // bytes of frames that previews need not read again
 };
+
+/// R, G and B of finished frames by their EXRs, of as many as there was room for.
+using FramePictures = std::map<std::filesystem::path, Image>;
 
 /// How a sweep went.
 struct SweepReport {
   std::size_t rendered = 0;     // frames; those that lacked nothing are not among them
   double worstImbalance = 0.0;  // of any rendered frame's energy, relative
   bool complete = false;        // no frame is left to be rendered
+  FramePictures pictures;       // as they were written
 };
 
 /// Renders the frames that lack something, one after the other, each as render does. Stops within a frame when it is
@@ -38,6 +45,7 @@ struct SweepPreviewSettings {
   std::filesystem::path contactSheet;       // empty: none
   const std::atomic<bool>* stop = nullptr;  // looked at between frames
   int threads = 0;                          // 0: one a processor
+  const FramePictures* known = nullptr;     // which need not be read
 };
 
 /// What was written.

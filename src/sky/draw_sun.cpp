@@ -5,6 +5,9 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <vector>
+
+#include <glm/geometric.hpp>
 
 #include "math/rotation.h"
 
@@ -98,10 +101,18 @@ void drawSun(Image& image, const Camera& camera, const Sun& sun, const std::func
                  light(sun.toCentre()) / camera.solidAngle(*pixel % camera.width(), *pixel / camera.width()));
     return;
   }
+  // All pixels' together are had sooner than each by itself, but for rounding.
+  constexpr double kRounding = 1.001;
+  const std::vector<double> solidAngles = camera.solidAngles();
   for (int y = 0; y < camera.height(); ++y)
     for (int x = 0; x < camera.width(); ++x) {
+      const double about = solidAngles[static_cast<std::size_t>(y) * static_cast<std::size_t>(camera.width()) +
+                                       static_cast<std::size_t>(x)];
       const auto centre = camera.toSky(Vec2(x + 0.5, y + 0.5));
       if (!centre) continue;
+      // No angle is smaller than its chord.
+      const double farthest = 0.5 * sun.diameter() + 4.0 * kRounding * std::sqrt(about);
+      if (glm::distance(*centre, sun.toCentre()) > farthest) continue;
       // A pixel's corner is nearer to its centre than twice the side of a square of its solid angle, unless it is
       // stretched; four times leaves room for that.
       const double side = std::sqrt(camera.solidAngle(x, y));

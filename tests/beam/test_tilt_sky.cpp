@@ -44,7 +44,7 @@ TEST_CASE("cosines of a ring give its cells back") {
           order >= kCells ? 0.0F : (order == 0 ? 1.0F : 2.0F) / static_cast<float>(kCells);
     }
   std::vector<float> back(4 * kCells);
-  table.synthesise(orders.data(), 2, room, back.data());
+  table.synthesise<2>(orders.data(), room, back.data());
   for (int k = 0; k < kCells; ++k)
     for (int c = 0; c < 2; ++c)
       CHECK(static_cast<double>(back[static_cast<std::size_t>(4 * k + c)]) ==

@@ -368,6 +368,38 @@ TEST_CASE("the upper suncave Parry arc is highest where closed forms have it") {
   }
 }
 
+TEST_CASE("a picture about the sun's vertical has the same bits on both sides, and is the one that its middle cuts") {
+  const auto skyOf = [](const char* width, const char* shift) {
+    const std::string text = std::string(
+                                 "[sun]\nelevation = 20.0\n[[population]]\nname = \"plates\"\naspect = 0.2\n"
+                                 "orientation = \"plate\"\ntilt = 1.0\n[camera]\nprojection = \"rectilinear\"\n"
+                                 "fov_horizontal = 80.0\nelevation = 25.0\nresolution = [") +
+                             width + ", 64]\nshift = [" + shift + ", 0.0]\n";
+    return integrateSky(parseScene(text, "mirror.toml"), 0.1).image;
+  };
+  for (const char* size : {"64", "65"}) {
+    CAPTURE(size);
+    const Image sky = skyOf(size, "0.0"), whole = skyOf(size, "1e-9");
+    const auto width = static_cast<std::size_t>(sky.width);
+    for (const Channel& channel : sky.channels) {
+      const std::vector<float>& samples = channel.samples;
+      double apart = 0.0, all = 0.0;
+      std::size_t unlike = 0;
+      for (std::size_t i = 0; i < samples.size(); ++i) {
+        const std::size_t row = i / width * width;
+        // Solid angles of both sides may differ by a rounding.
+        const float mirrored = samples[row + (width - 1 - i % width)];
+        if (std::abs(samples[i] - mirrored) > 1e-6F * std::abs(mirrored)) ++unlike;
+        apart += static_cast<double>(std::abs(samples[i] - (*whole.find(channel.name))[i]));
+        all += static_cast<double>(samples[i]);
+      }
+      CAPTURE(channel.name);
+      CHECK(unlike == 0);
+      CHECK(apart < 0.01 * all);
+    }
+  }
+}
+
 TEST_CASE("crystals of one tilt and one roll are integrated, those with a spread of either are not") {
   const auto objection = [](const std::string& population) {
     return objectionToIntegratedSky(parseScene("[[population]]\nname = \"p\"\n" + population, "p.toml").scene);

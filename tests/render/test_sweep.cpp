@@ -84,6 +84,21 @@ TEST_CASE("previews and their sheet appear together or not at all") {
   CHECK(folder.names().size() == 7);
 }
 
+TEST_CASE("previews of frames that were kept in memory are those of the files") {
+  const TemporaryDirectory kept, read;
+  REQUIRE(renderFrames(planIn(read), {}).complete);
+  const std::vector<SweepFrame> frames = planIn(kept);
+  SweepControl control;
+  control.keptPictures = 2 * 3 * sizeof(float) * 48 * 32;  // two of three
+  const SweepReport report = renderFrames(frames, control);
+  REQUIRE(report.pictures.size() == 2);
+  put(kept / "f_06.exr", "no picture any more");
+  CHECK(writePreviews(frames, {{}, kept / "sheet.png", nullptr, 0, &report.pictures}));
+  CHECK(writePreviews(planIn(read), {{}, read / "sheet.png", nullptr}));
+  for (const char* name : {"f_05.png", "f_06.png", "f_07.png", "sheet.png"})
+    CHECK_MESSAGE(contents(kept / name) == contents(read / name), name);
+}
+
 TEST_CASE("a sweep whose time is over renders nothing") {
   const TemporaryDirectory folder;
   SweepControl control;
