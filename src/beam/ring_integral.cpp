@@ -127,12 +127,21 @@ class RingIntegration {
 
 }  // namespace
 
-const RingIntegral* RingStore::find(const Kind& kind) const {
-  const auto found = std::ranges::find(kept_, kind, &std::pair<Kind, RingIntegral>::first);
-  return found == kept_.end() ? nullptr : &found->second;
+const RingIntegral* RingStore::find(const Kind& kind) {
+  const auto here = std::ranges::find(kept_, kind, &std::pair<Kind, RingIntegral>::first);
+  if (here != kept_.end()) return &here->second;
+  if (elsewhere_.find) found_ = elsewhere_.find(kind);
+  if (!found_) return nullptr;
+  addHere(kind, *found_);
+  return &*found_;
 }
 
 void RingStore::add(const Kind& kind, const RingIntegral& rings) {
+  addHere(kind, rings);
+  if (elsewhere_.keep) elsewhere_.keep(kind, rings);
+}
+
+void RingStore::addHere(const Kind& kind, const RingIntegral& rings) {
   constexpr std::size_t kMost = 64;
   if (kept_.size() < kMost) kept_.emplace_back(kind, rings);
 }

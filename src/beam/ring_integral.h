@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -31,13 +33,26 @@ class RingStore {
     bool operator==(const Kind&) const = default;
   };
 
+  /// Where they are looked for that are not here, and kept as well, so that they outlive the process.
+  struct Elsewhere {
+    std::function<std::optional<RingIntegral>(const Kind&)> find;
+    std::function<void(const Kind&, const RingIntegral&)> keep;
+  };
+
+  RingStore() = default;
+  explicit RingStore(Elsewhere elsewhere) : elsewhere_(std::move(elsewhere)) {}
+
   /// Null if it is not kept.
-  const RingIntegral* find(const Kind& kind) const;
+  const RingIntegral* find(const Kind& kind);
 
   /// Keeps it, if not many are kept already.
   void add(const Kind& kind, const RingIntegral& rings);
 
  private:
+  void addHere(const Kind& kind, const RingIntegral& rings);
+
+  Elsewhere elsewhere_;
+  std::optional<RingIntegral> found_;  // elsewhere
   std::vector<std::pair<Kind, RingIntegral>> kept_;
 };
 

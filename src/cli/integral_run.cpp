@@ -85,7 +85,7 @@ nlohmann::ordered_json integralStats(double seconds, int threads, double cutOff)
 
 void reportSmooth(const MixedSky& made) {
   const IntegratedSky& sky = made.sky;
-  if (sky.sheets + sky.directions > 0) {
+  if (made.secondsIntegrated > 0.0) {
     say("%ld sheets of orientations from %ld directions in %.2f s: mean relative error %.2g", sky.sheets,
         sky.directions, made.secondsIntegrated, sky.error);
     say("energy: in 1 = out %.9f + cut off %.3g", 1.0 - sky.cutOff, sky.cutOff);

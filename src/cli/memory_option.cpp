@@ -4,31 +4,19 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <string_view>
 
 #include "cli/number_options.h"
-#include "math/number_text.h"
 #include "picture/memory_limit.h"
 
 namespace parhelion::cli {
 
 namespace {
 
-constexpr double kLeast = 1e6, kMost = 1e15;  // bytes; less could not even start
+constexpr std::uint64_t kLeast = 1'000'000;  // bytes; less could not even start
 
-/// "500M", "2.5G" or "4000000000" in bytes; k, M, G and T are powers of 1000, and a B may follow.
-std::optional<std::uint64_t> sizeIn(std::string_view text) {
-  if (text.ends_with('B')) text.remove_suffix(1);
-  double unit = 1.0;
-  constexpr std::string_view kSuffixes = "kMGT";
-  if (const std::size_t at = text.empty() ? std::string_view::npos : kSuffixes.find(text.back());
-      at != std::string_view::npos) {
-    for (std::size_t i = 0; i <= at; ++i) unit *= 1000.0;
-    text.remove_suffix(1);
-  }
-  const std::optional<double> number = numberIn(text);
-  if (!number || !(*number * unit >= kLeast && *number * unit <= kMost)) return std::nullopt;
-  return static_cast<std::uint64_t>(*number * unit);
+std::optional<std::uint64_t> sizeIn(const std::string& text) {
+  const std::optional<std::uint64_t> bytes = bytesIn(text);
+  return bytes && *bytes >= kLeast ? bytes : std::nullopt;
 }
 
 std::string validSize(const std::string& text) {

@@ -18,6 +18,7 @@
 #include "render/needs.h"
 #include "render/sky_files.h"
 #include "render/sky_sums.h"
+#include "render/table_cache.h"
 
 namespace parhelion::cli {
 
@@ -57,7 +58,8 @@ int renderSmooth(const RenderOptions& options, const CLI::App& command, LoadedSc
   loaded.error = goal;
   const RunClock clock;
   const StopSignal stop;
-  MixedSky made = mixSky(loaded, {goal, !options.longRun.error.empty()}, traceControl(options.run, &stop));
+  LightStore store{BandStore(), ringStoreWith(tableCacheOfUser())};
+  MixedSky made = mixSky(loaded, {goal, !options.longRun.error.empty()}, traceControl(options.run, &stop), &store);
   if (made.report.interrupted) return kInterrupted;
   IntegratedSky& sky = made.sky;
   const double seconds = clock.seconds();

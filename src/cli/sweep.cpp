@@ -16,6 +16,7 @@
 #include "render/needs.h"
 #include "render/sky_files.h"
 #include "render/sweep.h"
+#include "render/table_cache.h"
 #include "scene/key_range.h"
 #include "view/contact_sheet.h"
 
@@ -143,7 +144,7 @@ std::optional<FramePictures> renderLacking(const RunOptions& run, const std::vec
                                            const StopSignal& stop) {
   const std::uint64_t left = memoryLeft(frames, run.threads);
   SweepControl control{
-      traceControl(run, &stop), {}, keptLight(left), keptPictures(left)};
+      traceControl(run, &stop), {}, keptLight(left), ringStoreWith(tableCacheOfUser()), keptPictures(left)};
   control.onFrame = [&](std::size_t frame, double seconds) {
     reportFrame(run, frames[frame], frame + 1, frames.size(), seconds);
   };

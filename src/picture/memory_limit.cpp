@@ -15,6 +15,8 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "math/number_text.h"
+
 namespace parhelion {
 namespace {
 
@@ -131,6 +133,21 @@ void requireMemory(const std::string& what, std::uint64_t bytes) {
   if (bytes <= limit.bytes) return;
   throw std::runtime_error(what + " needs about " + byteText(bytes) + " of memory, " + byteText(limit.bytes) +
                            " are allowed by " + limit.by);
+}
+
+std::optional<std::uint64_t> bytesIn(std::string_view text) {
+  constexpr double kMost = 1e15;
+  if (text.ends_with('B')) text.remove_suffix(1);
+  double unit = 1.0;
+  constexpr std::string_view kSuffixes = "kMGT";
+  if (const std::size_t at = text.empty() ? std::string_view::npos : kSuffixes.find(text.back());
+      at != std::string_view::npos) {
+    for (std::size_t i = 0; i <= at; ++i) unit *= 1000.0;
+    text.remove_suffix(1);
+  }
+  const std::optional<double> number = numberIn(text);
+  if (!number || !(*number >= 0.0 && *number * unit <= kMost)) return std::nullopt;
+  return static_cast<std::uint64_t>(*number * unit);
 }
 
 std::string byteText(std::uint64_t bytes) {

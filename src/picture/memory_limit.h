@@ -3,7 +3,9 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
+#include <string_view>
 
 namespace parhelion {
 
@@ -24,6 +26,10 @@ void setMemoryLimit(std::uint64_t bytes);
 /// Throws std::runtime_error "WHAT needs about 3.1 GB of memory, 2 GB are allowed by ulimit -v" where so many bytes
 /// more are too many. For one, before they are allocated.
 void requireMemory(const std::string& what, std::uint64_t bytes);
+
+/// "500M", "2.5G" or "4000000000" in bytes: k, M, G and T are powers of 1000, and a B may follow. None for other text,
+/// and for more than 1000 TB.
+std::optional<std::uint64_t> bytesIn(std::string_view text);
 
 /// "3.1 GB": two digits, in powers of 1000.
 std::string byteText(std::uint64_t bytes);

@@ -136,7 +136,7 @@ SheetLayout layoutOf(std::span<const SweepFrame> frames) {
 SweepReport renderFrames(std::span<const SweepFrame> frames, const SweepControl& control) {
   const RunClock clock;
   SweepReport report;
-  LightStore store{BandStore(control.keptLight), {}};
+  LightStore store{BandStore(control.keptLight), control.rings};
   FrameWriter writer(Threads(control.trace.threads).count() > 1, control.keptPictures);
   for (std::size_t i = 0; i < frames.size(); ++i) {
     if (frames[i].lacks.empty()) continue;

@@ -9,6 +9,7 @@
 #include <optional>
 #include <span>
 
+#include "beam/ring_integral.h"
 #include "picture/auto_exposure.h"
 #include "picture/image.h"
 #include "render/sweep_frames.h"
@@ -21,6 +22,7 @@ struct SweepControl {
   TraceControl trace;                                              // its time limit is that of the whole sweep
   std::function<void(std::size_t frame, double seconds)> onFrame;  // after each frame that was rendered
   std::uint64_t keptLight = 0;                                     // bytes of it that frames may leave to the next
+  RingStore rings;                                                 // which they leave, too
   std::uint64_t keptPictures = 0;                                  // bytes of frames that previews need not read again
 };
 

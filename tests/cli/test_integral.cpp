@@ -271,3 +271,28 @@ TEST_CASE("an error by itself is asked of the quickest engine") {
   CHECK(engineOf("paths s.toml --csv o.csv --error 1%") == "integral");
   CHECK(run(folder, "parhelion profile s.toml -o p.csv --error 5%" + parry).err.find("short") != std::string::npos);
 }
+
+TEST_CASE("rings are found in the user's cache by the next run, with the same bits, or are made without a word") {
+  const WithPrisms folder;
+  const std::string render = " parhelion render s.toml --engine integral --error 5% --resolution 48x48 --stats ";
+  const auto made = run(folder, "export XDG_CACHE_HOME=$PWD/cache PARHELION_CACHE_SIZE=5M &&" + render +
+                                    "a.json -o a.exr &&" + render + "b.json -o b.exr && ls cache/parhelion"),
+             without = run(folder, "export XDG_CACHE_HOME=$PWD/none &&" + render + "c.json -o c.exr && ls"),
+             blocked = run(folder,
+                           "export XDG_CACHE_HOME=$PWD/s.toml PARHELION_CACHE_SIZE=5M &&" + render + "d.json -o d.exr"),
+             wrong = run(folder, "export PARHELION_CACHE_SIZE=lots &&" + render + "e.json -o e.exr");
+  for (const Outcome* outcome : {&made, &without, &blocked}) CHECK_MESSAGE(outcome->exit == 0, outcome->err);
+  CHECK(made.out.find(".table") != std::string::npos);
+  CHECK(without.out.find("none") == std::string::npos);
+  const auto directions = [&](const char* file) {
+    return nlohmann::json::parse(readFile(folder / file))["directions"].get<long>();
+  };
+  CHECK(directions("a.json") > 0);
+  CHECK(directions("b.json") == 0);
+  for (const char* file : {"c.json", "d.json"}) CHECK(directions(file) == directions("a.json"));
+  for (const char* file : {"b.exr", "c.exr", "d.exr"}) CHECK(readFile(folder / file) == readFile(folder / "a.exr"));
+  CHECK(blocked.err.find("cache") == std::string::npos);
+  CHECK(wrong.exit != 0);
+  CHECK(wrong.err.find("PARHELION_CACHE_SIZE: expected a size such as 500M or 2G, or off, not 'lots'") !=
+        std::string::npos);
+}
