@@ -13,8 +13,11 @@ struct MeshLevels {
   int most;           // the last level
 
   /// The first level that is likely to err by no more than this.
-  int firstFor(double error) const {
-    return static_cast<int>(std::clamp(std::ceil(std::log(firstError / error) / std::log(better)), 0.0, double(most)));
+  int firstFor(double error) const { return levelsFrom(firstError, error); }
+
+  /// Levels between one that errs by so much and that which is likely to err by no more than this, `most` at most.
+  int levelsFrom(double from, double error) const {
+    return static_cast<int>(std::clamp(std::ceil(std::log(from / error) / std::log(better)), 0.0, double(most)));
   }
 };
 

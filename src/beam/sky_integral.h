@@ -59,6 +59,8 @@ struct SkyAccuracy {
   bool folds = false;    // the picture's left half is the mirror image of its right
   bool hasEdge = false;  // SheetMesh
   double widest = -2.0;  // SheetMesh
+  /// Asked before each mesh, with the work that is left (tilt_mesh.h): whether to go on. Empty: always.
+  std::function<bool(double)> goOn;
 };
 
 /// The light of a picture's pixels, per surface of the crystals (their mean shadows).
@@ -70,6 +72,7 @@ struct SkyIntegral {
   long directions = 0;  // traced
   long sheets = 0;
   bool reached = false;
+  bool refused = false;  // it was not to go on, and this is no result
 };
 
 /// Integrates over all orientations. The same bits for any number of threads, and whatever the store has.

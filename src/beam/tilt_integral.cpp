@@ -8,7 +8,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "beam/mesh_levels.h"
+#include "beam/tilt_mesh.h"
 #include "beam/tilt_sky.h"
 #include "math/portable.h"
 #include "parallel/loops.h"
@@ -17,19 +17,10 @@ namespace parhelion {
 
 namespace {
 
-// The first mesh: cells for 30 degrees of azimuth that light is traced at, parts of continuous light, rows of the sun's
-// disc. Cells over what the picture and the sun blur; their bounds, rad.
-constexpr int kColumns = 40, kLights = 4, kFewestSunRows = 3;
-constexpr double kSunRows = 1.5;  // to a disc's radius in cells
-constexpr double kOfBlur = 0.7, kOfDisc = 0.6, kFinest = 0.0012, kCoarsest = 0.0045;
-// Thickness of bands over half of what tilts are spread by; at most over cells, and in rad.
-constexpr double kOfSpread = 0.5, kThickest = 2.2, kThickestBand = 0.0055;
-// Each mesh has cells smaller than the last one by this.
-constexpr double kFiner = 1.5;
-constexpr MeshLevels kLevels{0.03, 1.8, 3};
 // What the coarse mesh differs by, times this, is a pixel's own part of the error. Where both meshes err alike that
-// says nothing, so the mean of all pixels, relative, is added, times a second factor.
-constexpr double kOfCoarse = 0.35, kOfMean = 0.75;
+// says nothing, so the mean of all pixels, relative, is added, times a second factor, and absolute, times a third: dim
+// pixels may have something of an edge beside them that both miss.
+constexpr double kOfCoarse = 0.25, kOfMean = 0.75, kOfMissed = 0.1;
 // The same where tilts are spread by less than a cell, and meshes get better but by their fineness.
 constexpr double kOfCoarseAtRest = 1.2;
 // Waves that are left out leave ripples, of this share of the light beside them and of what pixels have on average.
@@ -43,19 +34,6 @@ constexpr double kWithinCell = 0.25;
 constexpr double kOrderSteps = 64.0;
 constexpr int kRingSteps = 16;
 
-double blurOf(const Camera& camera, double sunRadius) {
-  return std::max(1.0 / camera.focalLength(), kOfDisc * sunRadius);
-}
-
-/// Size of rings and of cells along them, rad.
-double cellOf(double blur, int level) {
-  return std::max(std::min(kOfBlur * blur, kCoarsest) / std::pow(kFiner, level), kFinest);
-}
-
-int sunRowsOf(double radius, int cells) {
-  return std::max(kFewestSunRows, static_cast<int>(std::ceil(kSunRows * radius * cells / kPi)));
-}
-
 class TiltIntegration {
  public:
   TiltIntegration(const AxisScene& scene, const SkyAccuracy& accuracy, const Camera& camera, BandStore& store)
@@ -67,24 +45,20 @@ class TiltIntegration {
         directions_(*kept_) {}
 
   SkyIntegral run() {
-    for (level_ = kLevels.firstFor(accuracy_.error);; ++level_) {
-      integrate();
+    for (level_ = kTiltLevels.firstFor(accuracy_.error);; ++level_) {
+      result_.refused = !integrate();
+      if (result_.refused) break;
       judge();
       result_.reached = result_.error <= accuracy_.error;
-      if (result_.reached || level_ == kLevels.most || cell() <= kFinest) break;
+      if (result_.reached || isFinestMesh(camera_, scene_.sun.radius, level_)) break;
     }
     return std::move(result_);
   }
 
  private:
-  void integrate() {
-    const double finer = std::pow(kFiner, level_), spread = spreadOfTilts();
-    const double thick =
-        std::clamp(kOfSpread * spread / finer, cell(), std::max(std::min(kThickest * cell(), kThickestBand), cell()));
-    BandMesh mesh;
-    mesh.bands = 2 * static_cast<int>(std::ceil(0.25 * kPi / thick));
-    mesh.cells = 4 * static_cast<int>(std::ceil(0.25 * kPi / cell()));
-    mesh.rings = mesh.end = mesh.cells;
+  /// False if it is not to.
+  bool integrate() {
+    BandMesh mesh = tiltMeshOf(cell(), spreadOfTilts(), level_);
     seenRings(mesh);
     const auto cosines = store_.cosines(mesh.cells);
     TiltSky sky(*cosines, mesh, sunRows(scene_.sun, sunRowsOf(scene_.sun.radius, mesh.cells)), scene_.tilt, scene_.side,
@@ -94,10 +68,14 @@ class TiltIntegration {
     for (int band = 0; band < mesh.bands; ++band)
       if (sky.hasBand(band)) numbers.push_back(band);
     result_.totals = {};
-    if (numbers.empty())
-      return pixels_.assign(static_cast<std::size_t>(camera_.width()) * static_cast<std::size_t>(camera_.height()), {});
+    if (numbers.empty()) {
+      pixels_.assign(static_cast<std::size_t>(camera_.width()) * static_cast<std::size_t>(camera_.height()), {});
+      return true;
+    }
     mesh.orders = kOrderSteps * std::ceil(sky.highestOrder() / kOrderSteps);
-    const int columns = 2 * static_cast<int>(std::lround(0.5 * kColumns * finer)), lights = kLights + 2 * level_;
+    const int columns = tiltColumnsAt(level_), lights = tiltLightsAt(level_);
+    if (accuracy_.goOn && !accuracy_.goOn(workLeft(mesh, static_cast<int>(numbers.size()), columns, lights)))
+      return false;
     BandStore::Bands& bands = store_.open({scene_.prisms, scene_.indices, columns, accuracy_.cutShare, mesh, colours_,
                                            scene_.segments(lights), scene_.segments(lights / 2), scene_.wanted});
     const BandLight& light = bands.light();
@@ -108,6 +86,19 @@ class TiltIntegration {
     result_.totals = sky.totals();
     result_.directions += bands.directions() - traced;
     result_.sheets += static_cast<long>(numbers.size());
+    return true;
+  }
+
+  /// Of this mesh, and of those that are likely to follow it.
+  double workLeft(const BandMesh& mesh, int bands, int columns, int lights) const {
+    const auto count = [](std::size_t n) { return static_cast<int>(n); };
+    const double work = workOf(
+        {bands, mesh.end - mesh.first, mesh.cells, columns, scene_.lines.empty() ? lights : count(scene_.lines.size()),
+         count(scene_.indices.size()), count(scene_.prisms.size()), sunRowsOf(scene_.sun.radius, mesh.cells),
+         camera_.width() * camera_.height(), 1.0 / camera_.focalLength()});
+    if (result_.error <= 0.0) return work;
+    const int more = kTiltLevels.levelsFrom(result_.error / kTiltLevels.better, accuracy_.error);
+    return work * workOfLevels(std::min(more, kTiltLevels.most - level_));
   }
 
   double spreadOfTilts() const { return 0.5 * std::abs(scene_.tilt(0.84) - scene_.tilt(0.16)); }
@@ -195,11 +186,13 @@ class TiltIntegration {
     const auto together = [](const std::vector<double>& rows) {
       return std::accumulate(rows.begin(), rows.end(), 0.0);
     };
-    const double all = together(light), mean = all > 0.0 ? together(errors) / all : 0.0;
+    const double all = together(light), mean = all > 0.0 ? together(errors) / all : 0.0,
+                 missed = sky > 0.0 ? kOfMissed * mean * all / sky : 0.0;
     double error = 0.0;
     for (std::size_t i = 0; i < pixels_.size(); ++i) {
-      const double own = kOfMean * mean * static_cast<double>(result_.xyz[i][1]);
-      result_.variance[i] += static_cast<float>(own * own);
+      const double own = kOfMean * mean * static_cast<double>(result_.xyz[i][1]),
+                   dim = missed * directions_.solidAngle(i);
+      result_.variance[i] += static_cast<float>(own * own + dim * dim);
       error += std::sqrt(static_cast<double>(result_.variance[i]));
     }
     result_.error = all > 0.0 ? error / all : 0.0;
@@ -254,22 +247,6 @@ class TiltIntegration {
 };
 
 }  // namespace
-
-bool isForTilts(const AxisScene& scene, const Camera& camera) {
-  const bool blurs = !scene.oneTilt || scene.sun.radius > 0.0;
-  return blurs && kOfBlur * blurOf(camera, scene.sun.radius) >= kFinest;
-}
-
-std::uint64_t memoryForTilts(const Camera& camera, double sunRadius, double error) {
-  const int level = std::min(kLevels.firstFor(error) + 1, kLevels.most);
-  const double cells = kPi / cellOf(blurOf(camera, sunRadius), level), square = cells * cells,
-               rows = sunRadius > 0.0 ? sunRowsOf(sunRadius, static_cast<int>(cells)) : 1;
-  // Four floats for each cell of rings: of pieces of work, of each elevation of the sun twice; for each order, of bands
-  // and of elevations, of which there are less near the sun.
-  constexpr double kBytes = 16.0, kPieces = 4.0, kShareOfOrders = 0.7;
-  constexpr auto kMade = static_cast<double>(BandStore::kAtOnce);
-  return static_cast<std::uint64_t>(kBytes * square * (kPieces + 2.0 * rows + kShareOfOrders * (kMade + rows)));
-}
 
 SkyIntegral integrateTilts(const AxisScene& scene, const SkyAccuracy& accuracy, const Camera& camera,
                            BandStore& store) {

@@ -83,6 +83,17 @@ nlohmann::ordered_json integralStats(double seconds, int threads, double cutOff)
   return json;
 }
 
+void reportChoice(const EngineChoice& choice) {
+  say("rays are quicker for this error: about %.2g s of one thread, and %.2g s by the integral", *choice.rays(),
+      choice.integral());
+}
+
+nlohmann::ordered_json choiceStats(const EngineChoice& choice) {
+  nlohmann::ordered_json json{{"integral_seconds", choice.integral()}};
+  if (choice.rays()) json["rays_seconds"] = *choice.rays();
+  return json;
+}
+
 void reportSmooth(const MixedSky& made) {
   const IntegratedSky& sky = made.sky;
   if (made.secondsIntegrated > 0.0) {

@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "render/engine_choice.h"
 #include "render/mixed_sky.h"
 #include "scene/scene.h"
 
@@ -34,6 +35,10 @@ void refuseRayOptions(const CLI::App& command, RayOptions taken = RayOptions::no
 
 /// The figures of a run by the names that runs of rays have for them. `cutOff`: share of the light that was given up.
 nlohmann::ordered_json integralStats(double seconds, int threads, double cutOff);
+
+/// Why rays were chosen, on stderr; the forecasts that a choice was made by, for --stats.
+void reportChoice(const EngineChoice& choice);
+nlohmann::ordered_json choiceStats(const EngineChoice& choice);
 
 /// What a run did that made a sky without rays, or with rays for some populations alone: on stderr, and for --stats.
 void reportSmooth(const MixedSky& made);

@@ -213,7 +213,7 @@ void LongRun::report() const {
         *report_.error <= task_.longRun.goal() ? "" : ", more than was asked for");
 }
 
-void LongRun::writeStats(Transaction& outputs, const std::optional<OrderReport>& orders) const {
+void LongRun::writeStats(Transaction& outputs, const nlohmann::ordered_json* more) const {
   if (task_.run.stats.empty()) return;
   nlohmann::ordered_json json = statsJson({task_.settings, report_, task_.run.threads, cpuSeconds_});
   json["rays_held"] = sums_.origin().rayCount();
@@ -225,7 +225,7 @@ void LongRun::writeStats(Transaction& outputs, const std::optional<OrderReport>&
   }
   json["ended_by"] = wordFor(report_.end);
   if (report_.error) json["error"] = *report_.error;
-  if (orders) json["orders"] = ordersJson(*orders);
+  if (more) json.update(*more);
   writeJson(outputs.at(task_.run.stats), json);
 }
 

@@ -50,9 +50,9 @@ class LongRun {
   /// After trace(): prints the energy ledger.
   void report() const;
 
-  /// Writes the stats file as one of the outputs, with those of light that a cloud scatters more than once. To be
-  /// called when all work is done: it tells how much memory that took.
-  void writeStats(Transaction& outputs, const std::optional<OrderReport>& orders = {}) const;
+  /// Writes the stats file as one of the outputs, with more members if there are any. To be called when all work is
+  /// done: it tells how much memory that took.
+  void writeStats(Transaction& outputs, const nlohmann::ordered_json* more = nullptr) const;
 
   /// Writes the sums as an output of the command, which is to be committed right away. Throws std::runtime_error.
   void writeSums(const Output& output);

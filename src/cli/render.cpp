@@ -13,6 +13,7 @@
 #include "parallel/threads.h"
 #include "picture/memory_limit.h"
 #include "render/development.h"
+#include "render/engine_choice.h"
 #include "render/integrated_sky.h"
 #include "render/mixed_sky.h"
 #include "render/needs.h"
@@ -37,8 +38,9 @@ std::filesystem::path tallyOf(const SkyFiles& files) {
   return tally.replace_extension(".tally.exr");
 }
 
-/// Renders without rays, or with rays for some populations alone.
-int renderSmooth(const RenderOptions& options, const CLI::App& command, LoadedScene loaded) {
+/// Renders without rays, or with rays for some populations alone. None where a choice takes rays for all instead.
+std::optional<int> renderSmooth(const RenderOptions& options, const CLI::App& command, LoadedScene loaded,
+                                EngineChoice* choice) {
   const bool mixed = loaded.scene.trace.engine == Engine::mixed;
   refuseRayOptions(command, mixed ? RayOptions::someRays : RayOptions::none);
   requireIntegrable(loaded.scene);
@@ -59,7 +61,10 @@ int renderSmooth(const RenderOptions& options, const CLI::App& command, LoadedSc
   const RunClock clock;
   const StopSignal stop;
   LightStore store{BandStore(), ringStoreWith(tableCacheOfUser())};
-  MixedSky made = mixSky(loaded, {goal, !options.longRun.error.empty()}, traceControl(options.run, &stop), &store);
+  MixGoal until{goal, !options.longRun.error.empty(), {}};
+  if (choice) until.goOn = [&](double work) { return choice->goOn(work); };
+  MixedSky made = mixSky(loaded, until, traceControl(options.run, &stop), &store);
+  if (made.sky.refused) return {};
   if (made.report.interrupted) return kInterrupted;
   IntegratedSky& sky = made.sky;
   const double seconds = clock.seconds();
@@ -71,6 +76,7 @@ int renderSmooth(const RenderOptions& options, const CLI::App& command, LoadedSc
   if (!options.run.stats.empty()) {
     const Engine engine = loaded.scene.trace.engine;
     nlohmann::ordered_json json = smoothStats(made, seconds, options.run.threads, engine);
+    if (choice) json["choice"] = choiceStats(*choice);
     if (written.orders) json["orders"] = ordersJson(*written.orders);
     writeJson(outputs.at(options.run.stats), json);
   }
@@ -81,9 +87,19 @@ int renderSmooth(const RenderOptions& options, const CLI::App& command, LoadedSc
 
 int runRender(const RenderOptions& options, const CLI::App& command, Tracers& tracers) {
   LoadedScene loaded = options.run.load();
-  if (asksForErrorAlone(command) && tracers.processes() == 1)
-    loaded.scene.trace.engine = engineForPicture(loaded.scene, options.longRun.goal());
-  if (isIntegrated(loaded.scene)) return renderSmooth(options, command, std::move(loaded));
+  std::optional<EngineChoice> choice;
+  TraceControl looks = traceControl(options.run, nullptr);
+  looks.onProgress = {};
+  if (isIntegrated(loaded.scene)) return *renderSmooth(options, command, std::move(loaded), nullptr);
+  if (asksForErrorAlone(command) && tracers.processes() == 1) {
+    LoadedScene smooth = loaded;
+    smooth.scene.trace.engine = integratingEngine(loaded.scene);
+    if (isIntegrated(smooth.scene)) {
+      choice.emplace(loaded, options.longRun.goal(), looks);
+      if (const auto exit = renderSmooth(options, command, std::move(smooth), &*choice)) return *exit;
+      if (!options.run.quiet) reportChoice(*choice);
+    }
+  }
   const std::string& scene = options.run.scene;
   SkyFiles files = options.picture.files(scene);
   requireUnit(files.display, loaded.scene);
@@ -115,7 +131,10 @@ int runRender(const RenderOptions& options, const CLI::App& command, Tracers& tr
   files.run = &outputs;
   files.threads = options.run.threads;
   const WrittenSky written = writeSkyFiles(files, std::move(sky.image), sums.tally().info(), loaded);
-  run.writeStats(outputs, written.orders);
+  nlohmann::ordered_json more = nlohmann::ordered_json::object();
+  if (choice) more["choice"] = choiceStats(*choice);
+  if (written.orders) more["orders"] = ordersJson(*written.orders);
+  run.writeStats(outputs, &more);
   outputs.commit();
   if (!options.run.quiet) reportPicture(files, written, sky.remarks);
   return run.exitCode();

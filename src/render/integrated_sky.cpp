@@ -26,13 +26,6 @@ namespace parhelion {
 
 namespace {
 
-// Crystals of spread aspect ratios are as many as bring their own error well below that of the picture: measured of
-// columns from 0.4 to 2.5, 3 of them err by 1 %, 4 by 0.6, 5 by 0.4, 6 by 0.2, 8 by 0.1.
-struct AspectsFor {
-  double error;  // of the picture, at least
-  int count;
-};
-constexpr AspectsFor kAspects[] = {{0.04, 3}, {0.015, 4}, {0.01, 5}, {0.005, 6}, {0.0, 8}};
 // Rings of randomly oriented crystals: so many to a pixel on the axis, within these bounds. Light of some raypaths ends
 // more sharply than all of it.
 constexpr double kRingsPerPixel = 4.0;
@@ -62,13 +55,15 @@ double widestOf(const Camera& camera) {
 
 class Sky {
  public:
-  Sky(const LoadedScene& loaded, double error, LightStore& store, Counted counted)
+  Sky(const LoadedScene& loaded, double error, LightStore& store, Counted counted,
+      const std::function<bool(double)>& goOn)
       : scene_(loaded.scene),
         error_(error),
         store_(store),
         camera_(scene_.camera),
         sun_(scene_.sun),
-        indices_(scene_, counted) {
+        indices_(scene_, counted),
+        goOn_(goOn) {
     if (counted == Counted::energy)
       colours_ = 1;
     else
@@ -92,6 +87,7 @@ class Sky {
       std::vector<double> errors(pixels);
       for (const LightPart& part : parts[k]) {
         PopulationSky sky = skyOf(population, part);
+        if (result_.refused) return std::move(result_);
         // Crystals intercept the same light in each of their parts.
         if (&part != &parts[k].front()) sky.totals.intercepted = 0.0;
         totals.add(sky.totals, weight);
@@ -137,6 +133,7 @@ class Sky {
     axis.side = CrystalSide::lower;
     axis.wanted = &below;
     const PopulationSky other = skyOf(population, axis);
+    if (result_.refused) return sky;
     for (std::size_t i = 0; i < sky.light.size(); ++i) {
       for (std::size_t c = 0; c < 3; ++c) sky.light[i][c] += other.light[i][c];
       sky.error[i] += other.error[i];
@@ -174,8 +171,7 @@ class Sky {
 
   AxisScene axisScene(const PopulationSettings& settings) const {
     AxisScene axis;
-    const auto enough = std::ranges::find_if(kAspects, [&](const AspectsFor& a) { return error_ >= a.error; });
-    axis.prisms = prismsOf(settings, enough->count);
+    axis.prisms = prismsOf(settings, aspectsFor(error_));
     axis.indices = indices_.nodes();
     axis.toSun = [&](double u1, double u2) {
       if (sun_.isPoint()) return sun_.toCentre();
@@ -203,11 +199,13 @@ class Sky {
     accuracy.folds = camera_.isMirrorSymmetric() && sun_.toCentre().y == 0.0 && axis.isMirrored;
     accuracy.hasEdge = !isPanorama(camera_.settings().projection) && camera_.seam() == 0.0;
     accuracy.widest = widestOf(camera_);
+    accuracy.goOn = goOn_;
     return accuracy;
   }
 
   PopulationSky axisSky(const AxisScene& axis) {
     const SkyIntegral integral = integrateSky(axis, accuracy(axis), camera_, store_.bands);
+    result_.refused = result_.refused || integral.refused;
     PopulationSky sky;
     for (std::size_t i = 0; i < integral.xyz.size(); ++i) {
       const auto& xyz = integral.xyz[i];
@@ -263,6 +261,7 @@ class Sky {
   Camera camera_;
   Sun sun_;
   IndexSampler indices_;
+  std::function<bool(double)> goOn_;
   int colours_ = 3;
   IntegratedSky result_;
 };
@@ -288,13 +287,14 @@ std::uint64_t memoryOfOrientations(const Scene& scene, double error) {
   return most;
 }
 
-IntegratedSky integrateSky(const LoadedScene& loaded, double error, LightStore* store, Counted counted) {
+IntegratedSky integrateSky(const LoadedScene& loaded, double error, LightStore* store, Counted counted,
+                           const std::function<bool(double)>& goOn) {
   if (const std::string objection = objectionToIntegratedSky(loaded.scene); !objection.empty())
     throw std::invalid_argument(objection);
   LightStore none;
   if (!store) store = &none;
   store->bands.startPicture();
-  return Sky(loaded, error, *store, counted).run();
+  return Sky(loaded, error, *store, counted, goOn).run();
 }
 
 }  // namespace parhelion

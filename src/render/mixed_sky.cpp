@@ -45,15 +45,6 @@ bool hasLight(const Scene& scene, const std::vector<bool>& isIntegrable, bool wa
   return false;
 }
 
-/// The share of a scene's light that meets populations which are not integrable.
-double tracedShareOf(const Scene& scene, const std::vector<bool>& isIntegrable) {
-  const Cloud all = cloudByLight(scene);
-  double traced = 0.0;
-  for (std::size_t k = 0; k < isIntegrable.size(); ++k)
-    if (!isIntegrable[k]) traced += all.lightShares()[k];
-  return traced;
-}
-
 /// Names of the populations by how their light is made.
 MixedSky namesOf(const Scene& scene, const std::vector<bool>& isIntegrable) {
   MixedSky mixed;
@@ -146,11 +137,19 @@ Engine integratingEngine(const Scene& scene) {
   return hasLight(scene, isIntegrable, false) ? Engine::mixed : Engine::integral;
 }
 
-Engine engineForPicture(const Scene& scene, double error) {
-  // Of the scenes in scenes/ that are integrated, most are quicker by rays above this error, and most by the integral
-  // below. Rays take four times and more as long for half the error, the integral about twice.
-  constexpr double kRough = 0.06;
-  return error > kRough ? scene.trace.engine : integratingEngine(scene);
+std::optional<LoadedScene> onlyTraced(const LoadedScene& loaded) {
+  const std::vector<bool> isIntegrable = integrable(loaded.scene);
+  if (!hasLight(loaded.scene, isIntegrable, false)) return {};
+  return onlyWith(loaded, isIntegrable, false);
+}
+
+double tracedShareOf(const Scene& scene) {
+  const std::vector<bool> isIntegrable = integrable(scene);
+  const Cloud all = cloudByLight(scene);
+  double traced = 0.0;
+  for (std::size_t k = 0; k < isIntegrable.size(); ++k)
+    if (!isIntegrable[k]) traced += all.lightShares()[k];
+  return traced;
 }
 
 MixedSky mixSky(const LoadedScene& loaded, const MixGoal& goal, const TraceControl& control, LightStore* store) {
@@ -161,13 +160,13 @@ MixedSky mixSky(const LoadedScene& loaded, const MixGoal& goal, const TraceContr
   MixedSky mixed = namesOf(loaded.scene, isIntegrable);
   if (hasSmooth) {
     const RunClock clock;
-    mixed.sky = withThreads(control.threads, [&] { return integrateSky(smooth, goal.error, store); });
+    mixed.sky = withThreads(control.threads,
+                            [&] { return integrateSky(smooth, goal.error, store, Counted::colour, goal.goOn); });
     mixed.secondsIntegrated = clock.seconds();
   }
-  if (!hasRough) return mixed;
+  if (!hasRough || mixed.sky.refused) return mixed;
   const RunClock clock;
-  const double traced = mixed.tracedShare = tracedShareOf(loaded.scene, isIntegrable),
-               rest = hasSmooth ? 1.0 - traced : 0.0;
+  const double traced = mixed.tracedShare = tracedShareOf(loaded.scene), rest = hasSmooth ? 1.0 - traced : 0.0;
   const double smoothLight = rest > 0.0 ? rest * pictureLight(mixed.sky.image, loaded.scene.camera) : 0.0;
   RestSky others = traceRest(rough, {traced, smoothLight, mixed.sky.error}, goal, control);
   mixed.report = others.report;
@@ -231,7 +230,7 @@ MixedMap mixMap(const LoadedScene& loaded, int binsPerHalfTurn, double error, co
   SkyMap rays(cloud.sun().toCentre(), binsPerHalfTurn);
   made.report = traceRays(cloud, settingsOfMeasurement(cloud, rough.scene.trace), 0, rays, control);
   made.secondsTraced = clock.seconds();
-  const double traced = made.tracedShare = tracedShareOf(whole.scene, isIntegrable);
+  const double traced = made.tracedShare = tracedShareOf(whole.scene);
   const LightMap ofRays = rays.light();
   for (std::size_t bin = 0; bin < ofRays.energy.size(); ++bin) {
     map.light.energy[bin] = (1.0 - traced) * map.light.energy[bin] + traced * ofRays.energy[bin];

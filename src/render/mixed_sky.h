@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,14 +16,17 @@ namespace parhelion {
 /// has where nothing can, or the choice is made.
 Engine integratingEngine(const Scene& scene);
 
-/// What makes a picture to a stated error in the least time, where the scene leaves the choice: rays for a rough look,
-/// else what integrates. Which is quicker was measured (docs/speed.md).
-Engine engineForPicture(const Scene& scene, double error);
+/// The scene with those of its populations alone that have light and cannot be integrated; none if all can.
+std::optional<LoadedScene> onlyTraced(const LoadedScene& loaded);
+
+/// The share of a scene's light that meets populations which cannot be integrated, by a pilot sample.
+double tracedShareOf(const Scene& scene);
 
 /// How good a mixed picture is to be.
 struct MixGoal {
-  double error;               // of what is integrated; of the whole picture where rays may end early
-  bool raysEndEarly = false;  // once that is reached
+  double error;                           // of what is integrated; of the whole picture where rays may end early
+  bool raysEndEarly = false;              // once that is reached
+  std::function<bool(double)> goOn = {};  // SkyAccuracy
 };
 
 /// A sky whose populations were each made by the engine that serves it.
@@ -38,7 +43,7 @@ std::uint64_t raysOf(const Scene& scene);
 
 /// Integrates the populations that can be to so small an error; traces rays for all others, the scene's at most, and
 /// reconstructs those as the scene says. The same bits for any number of threads. Throws as traceRun() and
-/// lightPartsOf() do. Where the control stops the rays, `report` says so.
+/// lightPartsOf() do. Where the control stops the rays, `report` says so; where the goal is not to go on, `sky` does.
 MixedSky mixSky(const LoadedScene& loaded, const MixGoal& goal, const TraceControl& control = {},
                 LightStore* store = nullptr);
 

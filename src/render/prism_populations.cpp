@@ -18,6 +18,13 @@ namespace {
 constexpr int kSpectrumNodes = 4096, kIndexNodes = 256;
 // Continuous light is looked up in so many steps.
 constexpr int kColourSteps = 1024;
+// Crystals of spread aspect ratios are as many as bring their own error well below that of the picture: measured of
+// columns from 0.4 to 2.5, 3 of them err by 1 %, 4 by 0.6, 5 by 0.4, 6 by 0.2, 8 by 0.1.
+struct AspectsFor {
+  double error;  // of the picture, at least
+  int count;
+};
+constexpr AspectsFor kAspects[] = {{0.04, 3}, {0.015, 4}, {0.01, 5}, {0.005, 6}, {0.0, 8}};
 
 /// The indices of continuous light at even shares of it.
 std::vector<double> indicesAtShares(const Spectrum& spectrum, const IceSettings& ice) {
@@ -93,6 +100,10 @@ std::vector<PrismShare> prismsOf(const PopulationSettings& settings, int count) 
   for (const QuadratureNode& node : gaussLegendre(count))
     prisms.push_back({2.0 * stretch->at(0.5 + 0.5 * node.x), 0.5 * node.weight});
   return prisms;
+}
+
+int aspectsFor(double error) {
+  return std::ranges::find_if(kAspects, [&](const AspectsFor& a) { return error >= a.error; })->count;
 }
 
 IndexSampler::IndexSampler(const Scene& scene, Counted counted) : lines_(linesOf(scene, counted)) {

@@ -17,6 +17,9 @@ namespace parhelion {
 /// in a Gauss-Legendre rule over their distribution.
 std::vector<PrismShare> prismsOf(const PopulationSettings& settings, int count);
 
+/// How many lengths are enough for a picture's error.
+int aspectsFor(double error);
+
 /// The indices that a scene's light meets, by its energy as profiles count it.
 IceLight iceLightOf(const Scene& scene);
 
