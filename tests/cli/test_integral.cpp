@@ -261,8 +261,12 @@ TEST_CASE("an error by itself is asked of the quickest engine") {
       " -D population.short.orientation=parry -D population.short.tilt=1 -D population.short.roll=1";
   CHECK(engineOf(render + "5%") == "integral");
   CHECK(engineOf(render + "5% -D trace.rays=100k" + parry) == "mixed");
-  // A rough look, or something about rays, is a matter of rays.
-  CHECK(engineOf(render + "40% -D trace.rays=100k") == "planes");
+  // Columns of many tilts are dear, and a rough look takes few rays.
+  const std::string columns = " -D population.short.orientation=column -D population.short.tilt=5";
+  CHECK(engineOf(render + "40% -D trace.rays=100k" + columns) == "planes");
+  const auto choice = nlohmann::json::parse(readFile(folder / "e.json"))["choice"];
+  CHECK(choice["rays_seconds"] < choice["integral_seconds"]);
+  // Something about rays is a matter of rays.
   CHECK(engineOf(render + "5% --rays 50k") == "planes");
   CHECK(engineOf(render + "5% -D trace.rays=50k --engine planes") == "planes");
   CHECK(engineOf("profile s.toml --bins 18 -o o.csv --error 5%") == "integral");
