@@ -15,6 +15,7 @@
 #include "picture/limits.h"
 #include "scene/layer_checks.h"
 #include "scene/overrides.h"
+#include "scene/phase_files.h"
 #include "scene/scene_keys.h"
 #include "scene/text_guard.h"
 
@@ -138,9 +139,10 @@ LoadedScene parseScene(std::string_view text, std::string_view fileName, std::sp
   complaints.addText(fileName, body);
   toml::table root = parseToml(body, fileName, complaints);
   for (const SceneOverride& override : overrides) applyOverride(root, override, complaints);
+  const bool hasFiles = readPhaseFiles(root, std::filesystem::path(fileName).parent_path(), complaints);
   const Scene scene = readScene(root, complaints);
   complaints.throwIfAny();
-  return {scene, overrides.empty() ? std::string(text) : serialised(root)};
+  return {scene, overrides.empty() && !hasFiles ? std::string(text) : serialised(root)};
 }
 
 }  // namespace parhelion

@@ -142,7 +142,7 @@ void visitKeys(Visitor& v, PopulationKeys& p) {
         "Haze: mean cosine of the angle of scattering, of Henyey and Greenstein's phase function; 0.75 when left out.");
   v.key("phase", kinds::Optional{kinds::Phase{}}, p.phase,
         "Haze: its phase function instead, as a list of [angle, value]: angles grow from 0 to 180 degrees, values are "
-        "in any unit.");
+        "in any unit. Or the name of a .csv file beside the scene, whose lines are angle,value.");
   v.key(
       "orientation", kinds::Orientation{}, p.orientation,
       "\"random\", \"plate\" (c axis vertical), \"column\" (horizontal), \"parry\" (horizontal, two prism faces too), "

@@ -29,7 +29,9 @@ bool kinds::Phase::read(const Value& in, PhaseTable& out) const {
   constexpr Range kDegrees{0, 180}, kValues{0, 1e30};
   const toml::array* list = in.node.as_array();
   const auto complain = [&] {
-    return in.mustBe("a list of two or more [angle, value], angles growing from 0 to 180 degrees, values not negative");
+    return in.mustBe(
+        "a list of two or more [angle, value], angles growing from 0 to 180 degrees, values not negative, or the name "
+        "of a .csv file");
   };
   if (!list || list->size() < 2) return complain();
   double sum = 0.0;
@@ -51,7 +53,8 @@ bool kinds::Phase::read(const Value& in, PhaseTable& out) const {
 Json kinds::Phase::schema() const {
   const Json pair = {
       {"type", "array"}, {"minItems", 2}, {"maxItems", 2}, {"items", {{"type", "number"}, {"minimum", 0}}}};
-  return {{"type", "array"}, {"minItems", 2}, {"items", pair}};
+  const Json list = {{"type", "array"}, {"minItems", 2}, {"items", pair}};
+  return {{"anyOf", {list, {{"type", "string"}, {"pattern", "\\.csv$"}}}}};
 }
 
 bool kinds::Slab::read(const Value& in, std::optional<SlabSettings>& out) const {

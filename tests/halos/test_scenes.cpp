@@ -64,6 +64,7 @@ const SceneClaims kClaims[] = {
       {What::inVertical, 50.4},
       {What::inVertical, 69.0}}},
     {"evening.toml", {{What::ring, 21.9}, {What::atElevation, 22.2, 7}, {What::inVertical, 28.9}}},
+    {"diamond-dust.toml", {{What::atElevation, 22.6, 10}}},
     {"blue-noon.toml", {{What::ring, 21.9}, {What::atElevation, 26.4, 25}}},
     {"plates-and-pencils.toml",
      {{What::atElevation, 26.4, 25}, {What::inVertical, 71.3}, {What::inVertical, 46.9}, {What::inVertical, 3.1}}},

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include <doctest/doctest.h>
 
@@ -143,6 +145,18 @@ TEST_CASE("44 degree parhelia begin at twice the azimuth of the parhelia") {
     for (const int k : {38, 39}) CHECK(columns[static_cast<std::size_t>(k)] < 0.5 * (dim + bright));
     for (const int k : {41, 42}) CHECK(columns[static_cast<std::size_t>(k)] > 0.5 * (dim + bright));
   }
+}
+
+TEST_CASE("in the diamond dust of scenes/ light scattered twice makes 44 degree parhelia and a bright anthelion") {
+  const LoadedScene loaded =
+      loadScene(std::string(PARHELION_SOURCE_DIR) + "/scenes/diamond-dust.toml",
+                std::vector<std::string>{"sun.spectrum=550", "sun.diameter=0", "cloud.orders=2", "trace.rays=600000"});
+  const auto seen = [&](double azimuth) {  // 2 degrees of the parhelic circle, on either side
+    const CameraSettings camera = lookAt(Projection::rectilinear, azimuth, 10.0, 0.0, 2.0, 1, 1);
+    return lightOf(walk(loaded, 2, 100'000, camera).tally);
+  };
+  CHECK(seen(46.5) > 2.5 * seen(43.0));
+  CHECK(seen(178.0) > 1.25 * seen(168.0));
 }
 
 TEST_CASE("sun and observer can change places in a cloud of random crystals") {

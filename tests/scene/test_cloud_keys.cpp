@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Haze, and layers by how often light was scattered.
+#include <fstream>
+
 #include <doctest/doctest.h>
 
+#include "picture/temporary_directory.h"
 #include "scene_support.h"
 
 using namespace parhelion;
@@ -31,6 +34,24 @@ TEST_CASE("haze stands beside the crystals, with g or a table for its phase func
   CHECK(table.angles.size() == 3);
   CHECK(table.angles[1] == doctest::Approx(radians(30.0)));
   CHECK(table.values[2] == 0.5);
+}
+
+TEST_CASE("a phase function is read from a file beside the scene, and the scene keeps its numbers") {
+  const TemporaryDirectory folder;
+  const auto load = [&](const std::string& csv) {
+    std::ofstream(folder / "ice.csv") << csv;
+    std::ofstream(folder / "scene.toml") << hazeOf("phase = \"ice.csv\"");
+    return loadScene(folder / "scene.toml");
+  };
+  const LoadedScene loaded = load("angle,value\r\n# of ice\r\n0,10\r\n30.5, 1\r\n180,5e-1\r\n");
+  const auto table = std::get<PhaseTable>(loaded.scene.hazes.at(0).phase);
+  CHECK(table.angles.at(1) == doctest::Approx(radians(30.5)));
+  CHECK(table.values == std::vector<double>{10.0, 1.0, 0.5});
+  CHECK(std::get<PhaseTable>(sceneOf(loaded.text).hazes.at(0).phase).values == table.values);
+  for (const char* wrong : {"", "0,1\n", "0,1\n90,x\n180,1\n", "0,1\n90,1\n80,1\n180,1\n", "0,1\n180,-1\n",
+                            "5,1\n180,1\n", "0,1\n170,1\n", "0,1\n190,1\n", "0,1 180,1\n"})
+    CHECK_THROWS_AS(load(wrong), SceneError);
+  CHECK(messageOf(hazeOf("phase = \"none.csv\"")).ends_with("none.csv cannot be read"));
 }
 
 TEST_CASE("what haze does not have is refused") {
