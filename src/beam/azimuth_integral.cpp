@@ -22,7 +22,7 @@ constexpr int kPieces = 12, kPointPieces = 24, kLights = 16, kFewestColours = 6,
               kMostLevel = 6;
 constexpr double kSlices = 800.0;
 // Cells of the indices at which light is traced, and pieces that are kept at once.
-constexpr int kIndices = 8, kAtOnce = 4;
+constexpr int kIndices = 2, kAtOnce = 4;
 // Lines for a radius in pixels, and colours of all lines for a radian in pixels.
 constexpr double kLines = 6.0, kColours = 0.25;
 // Each next mesh is finer than the last by this, in all its dimensions.
@@ -49,9 +49,12 @@ class AzimuthIntegration : public SheetIntegration {
     sun_.emplace(scene_.sun, slicesAt(level, radius), linesAt(level));
     prisms_ = {scene_.section, scene_.prisms, indices(), accuracy_.cutShare, scene_.wanted};
     if (!scene_.wanted) return;
-    const AzimuthLight scout(prisms_, *scene_.rest, sun_->elevations(), 1, 0, 1);
+    const AzimuthLight scout(prisms_, *scene_.rest, sun_->elevations(), turn(), 1, 0, 1);
     wantedShare_ = scout.wantedShare();
   }
+
+  /// Of two crystals that are each other's mirror image one does, where the picture is folded.
+  double turn() const { return accuracy_.folds ? kPi : 2.0 * kPi; }
 
   int linesAt(int level) const {
     return atLevel(level, std::max(double{kFewestLines}, kLines * scene_.sun.radius * lens_.focal));
@@ -65,12 +68,12 @@ class AzimuthIntegration : public SheetIntegration {
       addColours(strips);
     else
       strips.push_back(colourStrip());
-    // Of all light each strip has but a part.
-    const double parts = static_cast<double>(strips.size() * strips.front().xyz.size());
+    // Of all light each strip has but a part, of half a turn's twice as much.
+    const double parts = static_cast<double>(strips.size() * strips.front().xyz.size()) * turn() / (2.0 * kPi);
     const SheetPicture picture{faintest() / parts, accuracy_.hasEdge, accuracy_.widest};
-    const int pieces = piecesAt(level_, scene_.sun.radius);
+    const int pieces = piecesAt(level_, scene_.sun.radius) / (accuracy_.folds ? 2 : 1);
     for (int first = 0; first < pieces; first += kAtOnce) {
-      const AzimuthLight light(prisms_, *scene_.rest, sun_->elevations(), pieces, first,
+      const AzimuthLight light(prisms_, *scene_.rest, sun_->elevations(), turn(), pieces, first,
                                std::min(first + kAtOnce, pieces));
       directions_ += light.directions();
       forEach(films_.size(), [&](std::size_t film) {

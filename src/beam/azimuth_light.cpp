@@ -11,10 +11,11 @@
 namespace parhelion {
 
 AzimuthLight::AzimuthLight(const TracedPrisms& prisms, const RotationColumns<double>& rest,
-                           std::vector<double> elevations, int pieces, int first, int last)
+                           std::vector<double> elevations, double turn, int pieces, int first, int last)
     : prisms_(prisms),
       rest_(rest),
       elevations_(std::move(elevations)),
+      turn_(turn),
       pieces_(pieces),
       first_(first),
       last_(last),

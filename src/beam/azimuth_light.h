@@ -10,22 +10,22 @@
 namespace parhelion {
 
 /// What becomes of the light of a few elevations of the sun in crystals that stand alike but for their azimuths. Those
-/// are traced at even steps of a whole turn, which come in pieces; this has some of them.
+/// are traced at even steps of a turn, which come in pieces; this has some of them.
 class AzimuthLight {
  public:
   /// Cells of a piece, and numbers that its nodes take.
   static constexpr int kPiece = 60;
   static constexpr std::size_t kRoom = 64;
 
-  /// `rest` turns the crystal to the world at azimuth 0. Of so many pieces traces those from `first` to before `last`,
-  /// in parallel. Indices of the prisms rise.
+  /// `rest` turns the crystal to the world at azimuth 0. Azimuths are those from 0 to `turn` (rad), in so many pieces;
+  /// traces the pieces from `first` to before `last`, in parallel. Indices of the prisms rise.
   AzimuthLight(const TracedPrisms& prisms, const RotationColumns<double>& rest, std::vector<double> elevations,
-               int pieces, int first, int last);
+               double turn, int pieces, int first, int last);
 
   int first() const { return first_; }
   int last() const { return last_; }
   int columns() const { return pieces_ * kPiece; }
-  double azimuthAt(double column) const { return 2.0 * kPi * (column + 0.5) / columns(); }
+  double azimuthAt(double column) const { return turn_ * column / columns(); }
 
   const RotationColumns<double>& rest() const { return rest_; }
   double elevation(std::size_t row) const { return elevations_[row]; }
@@ -56,6 +56,7 @@ class AzimuthLight {
   TracedPrisms prisms_;
   RotationColumns<double> rest_;
   std::vector<double> elevations_;
+  double turn_;
   int pieces_, first_, last_;
   std::vector<LightRow> lights_;  // by piece and elevation
 };

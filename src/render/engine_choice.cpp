@@ -38,13 +38,18 @@ double secondsToDevelop(const Scene& scene) {
   return pixel * (size.colours ? 1.0 : kGrey) * static_cast<double>(size.pixels) * size.tallies;
 }
 
-/// How often the error is measured on the way to so many rays.
-double looksUntil(double rays) {
+/// How often the error is measured on the way to so many rays, if it falls as this power of them: checks are left out
+/// until it might have fallen enough as one over the rays (traceRun()).
+double looksUntil(double rays, double power) {
   std::uint64_t at = 0;
+  double possible = 0.0;
   int looks = 0;
   do {
-    at = nextErrorCheck(at, 1);
+    do at = nextErrorCheck(at, 1);
+    while (static_cast<double>(at) < std::min(possible, rays));
     ++looks;
+    const auto held = static_cast<double>(at);
+    possible = held * std::pow(rays / held, power);
   } while (static_cast<double>(at) < rays && looks < 60);
   return looks;
 }
@@ -76,7 +81,7 @@ std::optional<RaysForecast> forecastRays(const LoadedScene& loaded, double error
     if (last <= error) break;
   }
   if (last > error) rays *= std::pow(last / error, 1.0 / power);
-  const double seconds = kRay * rays + secondsToDevelop(loaded.scene) * looksUntil(rays);
+  const double seconds = kRay * rays + secondsToDevelop(loaded.scene) * looksUntil(rays, power);
   return RaysForecast{rays, rays > static_cast<double>(settings.rays) ? kMissing * seconds : seconds};
 }
 

@@ -35,6 +35,7 @@ class Run {
   bool checkpointIsDue(double now, std::uint64_t done);
   std::uint64_t raysToLook(std::uint64_t first) const;
   bool isAtErrorCheck() const;
+  bool mayBeGoodEnough() const;
   void writeCheckpoint();
   bool lookIsFine();
   bool isGoodEnough();
@@ -141,9 +142,17 @@ bool Run::isAtErrorCheck() const {
          nextErrorCheck(count - 1, bundleSize_) == count;
 }
 
+/// False where the error cannot have come down to the goal since it was measured last. Errors fall with the root of the
+/// rays or more slowly; as long as most pixels are empty, as one over the rays.
+bool Run::mayBeGoodEnough() const {
+  if (!report_.error || !std::isfinite(*report_.error)) return true;
+  const double more = static_cast<double>(countOf(held_)) / static_cast<double>(measured_);
+  return *report_.error <= control_.goal.error * more;
+}
+
 /// False if the run ends here.
 bool Run::lookIsFine() {
-  if (isAtErrorCheck()) {
+  if (isAtErrorCheck() && mayBeGoodEnough()) {
     makeResult();
     if (isGoodEnough()) return false;
   }

@@ -55,8 +55,9 @@ std::uint64_t nextErrorCheck(std::uint64_t rays, int bundleSize);
 /// these are all, and their result is made. All ranges start with the first ray of a bundle.
 ///
 /// Errors are measured only when the rays held are the first ones of the sequence without a gap and as many as
-/// nextErrorCheck() says, so that a run stops after the same rays on any machine, broken off or not. It is measured at
-/// the end, too, to tell what was reached.
+/// nextErrorCheck() says, so that a run stops after the same rays on any machine, broken off or not. Checks that cannot
+/// but fail, because errors fall as one over the rays at most, are left out. It is measured at the end, too, to tell
+/// what was reached.
 ///
 /// Throws std::overflow_error as soon as it can be foreseen that the sums will not hold the light of all the rays.
 RunReport traceRun(RayTracer& tracer, Film& film, RayRanges& held, const RayRanges& missing, int bundleSize,

@@ -97,3 +97,36 @@ TEST_CASE("all light of prisms whose sides differ comes to the sky, goes straigh
     CHECK(sky.totals.cutOff < 1e-5 * sky.totals.intercepted);
   }
 }
+
+TEST_CASE("a picture that is folded has the light of all azimuths from half of them") {
+  CameraSettings settings;
+  settings.projection = Projection::fisheyeEqualArea;
+  settings.width = settings.height = 64;
+  settings.fieldOfView = kPi;
+  settings.elevation = 0.5 * kPi;
+  const Camera camera(settings);
+  AxisScene scene;
+  scene.prisms = {{4.0, 1.0}};
+  scene.indices = {1.31};
+  scene.lines = {{1.31, {1.0, 1.0, 1.0}}};
+  scene.light = [&](double) { return scene.lines[0]; };
+  SunSettings sunSettings;
+  sunSettings.elevation = radians(20.0);
+  const Sun sun(sunSettings);
+  scene.sun = faceOf(sun);
+  scene.rest =
+      standingOf(AxisOrientation{FixedValue{radians(90.0)}, AxisOrientation{}.azimuth, FixedValue{radians(0.0)}});
+  SkyAccuracy accuracy;
+  accuracy.error = 0.05;
+  const SkyIntegral whole = integrateAzimuths(scene, accuracy, camera);
+  accuracy.folds = true;
+  const SkyIntegral folded = integrateAzimuths(scene, accuracy, camera);
+  CHECK(folded.directions < 0.6 * whole.directions);
+  CHECK(folded.totals.intercepted == doctest::Approx(whole.totals.intercepted).epsilon(1e-3));
+  double light = 0.0, off = 0.0;
+  for (std::size_t i = 0; i < whole.xyz.size(); ++i) {
+    light += static_cast<double>(whole.xyz[i][1]);
+    off += std::abs(static_cast<double>(folded.xyz[i][1] - whole.xyz[i][1]));
+  }
+  CHECK(off < 0.01 * light);
+}

@@ -169,7 +169,9 @@ TEST_CASE("the memory of a run counts all tallies that it has") {
       const SkySize before = skySizeOf(loaded.scene), after = skySizeOf(emptyTally(loaded, cloudOf(loaded.scene)));
       CHECK(before.pixels == after.pixels);
       CHECK(before.colours == after.colours);
-      CHECK(before.tallies == after.tallies);
+      // Light that a cloud scatters more than once comes to tallies of its own, one and the layers'.
+      const bool hasMore = loaded.scene.cloud && loaded.scene.cloud->orders > 1;
+      CHECK(before.tallies == after.tallies + (hasMore ? after.layers + 1 : 0));
       CHECK(before.layers == after.layers);
     }
 }

@@ -115,6 +115,13 @@ TEST_CASE("a run stops at the first check where the error is small enough, broke
   CHECK(holes.held == whole.held);
 }
 
+TEST_CASE("checks that cannot but fail are left out") {
+  // 0.00316 after the first 100k rays: 3.2 times the goal, which needs a million.
+  const Outcome outcome = runTo(0.001, {}, 10'000'000, 1);
+  CHECK(outcome.held == RayRanges{{0, 1'200'000}});
+  CHECK(outcome.measuredAt == std::vector<std::uint64_t>{100'000, 400'000, 800'000, 1'200'000});
+}
+
 TEST_CASE("a run that cannot reach its error traces all rays and says what was reached") {
   const Outcome outcome = runTo(0.0005, {}, 1'000'001, 1);
   CHECK(outcome.report.end == RunEnd::complete);
