@@ -26,6 +26,8 @@ constexpr double kLeastPower = 0.2, kUsualPower = 0.33, kMostPower = 0.5;
 constexpr double kRay = 0.28e-6, kPlain = 0.3e-6, kAdaptive = 2.6e-6, kOther = 4e-6, kGrey = 0.65;
 // Rays that the scene does not have enough of for the error are so much dearer.
 constexpr double kMissing = 2.0;
+// An integral that takes less than so many looks is made without one: rays would have to be traced after it.
+constexpr double kWorthLooking = 2.0;
 // The integral errs by so much of what is asked for: meshes come by steps.
 constexpr double kOfGoal = 0.7;
 
@@ -56,7 +58,8 @@ double looksUntil(double rays, double power) {
 
 }  // namespace
 
-std::optional<RaysForecast> forecastRays(const LoadedScene& loaded, double error, const TraceControl& control) {
+std::optional<RaysForecast> forecastRays(const LoadedScene& loaded, double error, const TraceControl& control,
+                                         double most) {
   const Cloud cloud = cloudOf(loaded.scene);
   const TraceSettings settings = chosenSettings(cloud, loaded.scene.trace);
   SkySums sums(loaded, cloud);
@@ -68,6 +71,11 @@ std::optional<RaysForecast> forecastRays(const LoadedScene& loaded, double error
   Tracer tracer(cloud, settings, sums.film(), control.threads, control.simd);
   double rays = 0.0, last = 0.0, power = kUsualPower;
   std::uint64_t traced = 0;
+  const auto forecast = [&](double fall) {
+    const double all = last > error ? rays * std::pow(last / error, 1.0 / fall) : rays;
+    const double seconds = kRay * all + secondsToDevelop(loaded.scene) * looksUntil(all, fall);
+    return RaysForecast{all, all > static_cast<double>(settings.rays) ? kMissing * seconds : seconds};
+  };
   for (const std::uint64_t look : kLooks) {
     const std::uint64_t next = std::min(look / cloud.bundleSize() * cloud.bundleSize(), settings.rays);
     if (next <= traced) break;
@@ -78,11 +86,9 @@ std::optional<RaysForecast> forecastRays(const LoadedScene& loaded, double error
       power = std::clamp(std::log(last / *own) / std::log(static_cast<double>(next) / rays), kLeastPower, kMostPower);
     rays = static_cast<double>(traced = next);
     last = *own;
-    if (last <= error) break;
+    if (last <= error || forecast(kMostPower).seconds > most) break;
   }
-  if (last > error) rays *= std::pow(last / error, 1.0 / power);
-  const double seconds = kRay * rays + secondsToDevelop(loaded.scene) * looksUntil(rays, power);
-  return RaysForecast{rays, rays > static_cast<double>(settings.rays) ? kMissing * seconds : seconds};
+  return forecast(power);
 }
 
 EngineChoice::EngineChoice(const LoadedScene& loaded, double error, const TraceControl& control)
@@ -90,10 +96,10 @@ EngineChoice::EngineChoice(const LoadedScene& loaded, double error, const TraceC
 
 bool EngineChoice::goOn(double work) {
   integral_ = spent_ + work;
-  if (!rays_ && integral_ > look()) {
+  if (!rays_ && integral_ > kWorthLooking * look()) {
     LoadedScene all = loaded_;
     all.scene.trace.engine = Engine::automatic;
-    const std::optional<RaysForecast> whole = forecastRays(all, error_, control_);
+    const std::optional<RaysForecast> whole = forecastRays(all, error_, control_, integral_);
     rays_ = whole ? whole->seconds : 0.0;
     // Some take rays in any case; what the integral leaves of the error is theirs.
     if (const std::optional<LoadedScene> rest = onlyTraced(loaded_); whole && rest) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 
 #include "scene/parse_scene.h"
@@ -15,11 +16,13 @@ struct RaysForecast {
   double seconds;  // of one thread, by factors that were measured on one machine (beam/tilt_mesh.h)
 };
 
-/// By the first few hundred thousand rays of the scene, as many on any machine. None where the control stops them.
-std::optional<RaysForecast> forecastRays(const LoadedScene& loaded, double error, const TraceControl& control);
+/// By the first few hundred thousand rays of the scene, as many on any machine, or by less of them where these are
+/// enough to see that all will take more than `most` seconds. None where the control stops them.
+std::optional<RaysForecast> forecastRays(const LoadedScene& loaded, double error, const TraceControl& control,
+                                         double most = std::numeric_limits<double>::infinity());
 
 /// Chooses between the integral and rays, while the integral is under way: before each of its meshes the rest of its
-/// work is held against the forecast of rays. Those are looked at only if the integral takes longer than a look. A
+/// work is held against the forecast of rays. Those are looked at only if the integral takes longer than two looks. A
 /// function of the scene and the error, not of the machine.
 class EngineChoice {
  public:

@@ -49,7 +49,17 @@ TEST_CASE("half the error takes more rays, and more than the scene has are deare
   CHECK(few->seconds > more->seconds);
 }
 
-TEST_CASE("rays are looked at where the integral takes longer than a look, and taken where they are quicker") {
+TEST_CASE("a forecast that is far above what it is asked for has looked at less rays") {
+  const LoadedScene loaded = sceneOf(kPlates);
+  const auto whole = forecastRays(loaded, 0.03, {}), soon = forecastRays(loaded, 0.03, {}, 1e-3),
+             just = forecastRays(loaded, 0.03, {}, 1e6);
+  REQUIRE((whole && soon && just));
+  CHECK(just->rays == whole->rays);
+  CHECK(soon->rays != whole->rays);
+  CHECK(soon->seconds > 1e-3);
+}
+
+TEST_CASE("rays are looked at where the integral takes longer than two looks, and taken where they are quicker") {
   const LoadedScene loaded = sceneOf(kPlates);
   const TraceControl control;
   EngineChoice choice(loaded, 0.1, control);
