@@ -46,6 +46,7 @@ CrystalMesh::CrystalMesh(std::vector<Vec3> vertices, const std::vector<FaceOutli
 
 Face CrystalMesh::makeFace(const FaceOutline& outline) const {
   const auto& ring = outline.vertices;
+  if (ring.empty() && outline.normal) return {outline.number, {}, *outline.normal, outline.offset, 0.0, {}};
   if (ring.size() < 3) reject(outline.number, "has fewer than three vertices");
   for (const int v : ring)
     if (v < 0 || v >= static_cast<int>(vertices_.size())) reject(outline.number, "names a vertex that does not exist");
@@ -62,7 +63,7 @@ Face CrystalMesh::makeFace(const FaceOutline& outline) const {
   const double length = glm::length(area);
   if (!(length > 0.0)) reject(outline.number, "has no area");
 
-  Vec3 normal = area / length;
+  Vec3 normal = outline.normal.value_or(area / length);
   // Rounding must not tilt faces that are parallel or perpendicular to c.
   if (std::abs(normal.z) < kPlanarity) normal = glm::normalize(Vec3(normal.x, normal.y, 0.0));
   if (std::hypot(normal.x, normal.y) < kPlanarity) normal = Vec3(0.0, 0.0, std::copysign(1.0, normal.z));
@@ -72,7 +73,8 @@ Face CrystalMesh::makeFace(const FaceOutline& outline) const {
     const Vec3 a = vertices_[ring[i]], b = vertices_[ring[(i + 1) % ring.size()]];
     const Vec3 c = vertices_[ring[(i + 2) % ring.size()]];
     if (std::abs(glm::dot(normal, a) - offset) > kPlanarity * radius_) reject(outline.number, "is not planar");
-    if (glm::dot(glm::cross(b - a, c - b), normal) < 0.0) reject(outline.number, "is not convex");
+    if (glm::dot(glm::cross(b - a, c - b), normal) < -kPlanarity * radius_ * radius_)
+      reject(outline.number, "is not convex");
   }
   return {outline.number, ring, normal, offset, 0.5 * length, std::move(fan)};
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "math/conventions.h"
@@ -10,7 +11,8 @@ namespace parhelion {
 /// The most faces a crystal may have: each is one bit of the intersectors' 32-bit masks.
 inline constexpr int kMaxFaces = 32;
 
-/// A planar, convex face. Lengths in units of the mesh, normals pointing out of the crystal.
+/// A planar, convex face. Lengths in units of the mesh, normals pointing out of the crystal. A face without vertices
+/// has no area: its plane lies outside the crystal, or touches it.
 struct Face {
   int number;                 // crystallographic (conventions.h)
   std::vector<int> vertices;  // counter-clockwise seen from outside
@@ -23,6 +25,8 @@ struct Face {
 struct FaceOutline {
   int number;
   std::vector<int> vertices;
+  std::optional<Vec3> normal = std::nullopt;  // unit, where it is known better than the vertices say
+  double offset = 0.0;                        // of a face without vertices, which needs a normal
 };
 
 /// A closed polyhedron in the crystal's frame.

@@ -20,6 +20,13 @@ FaceTable::FaceTable(const CrystalMesh& mesh)
 
     const int triangles = static_cast<int>(face.fan.size());
     for (int j = 0; j < fan; ++j) {
+      if (triangles == 0) {  // of a face without area, which light never enters
+        triangleArea.push_back(1.0);
+        triangleLimit.push_back(std::numeric_limits<double>::infinity());
+        for (auto* rows : {corner, ab, ac})
+          for (int k = 0; k < 3; ++k) rows[k].push_back(0.0);
+        continue;
+      }
       const int triangle = std::min(j, triangles - 1);
       const Vec3 a = mesh.vertices()[face.vertices[0]];
       const Vec3 b = mesh.vertices()[face.vertices[triangle + 1]], c = mesh.vertices()[face.vertices[triangle + 2]];

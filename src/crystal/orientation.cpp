@@ -17,8 +17,8 @@ constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 
 ValueSampler turnSampler(const AngleDistribution& turn) { return {turn, DensityPer::unit, -kUnlimited, kUnlimited}; }
 
-/// Zenith angles with their signs. Where all azimuths are alike so are both sides of a pole, for a crystal whose
-/// sixfold axis hides the half turn of roll: a spread about the zenith needs one side only.
+/// Zenith angles with their signs. Where all azimuths are alike so are both sides of a pole, for a crystal that the
+/// half turn of roll leaves as it is, or where all rolls are alike, too: a spread about the zenith needs one side only.
 ValueSampler zenithSampler(const AngleDistribution& zenith, bool sidesAlike) {
   const bool oneSide = sidesAlike && centreOf(zenith) == 0.0;
   return {zenith, DensityPer::solidAngle, oneSide ? 0.0 : -kUnlimited, kUnlimited};
@@ -41,7 +41,7 @@ ValueSampler::ValueSampler(const AngleDistribution& distribution, DensityPer per
   std::visit(Overloaded{inClosedForm, byTable}, samplingOf(distribution, per));
 }
 
-OrientationSampler::OrientationSampler(const OrientationSettings& settings) {
+OrientationSampler::OrientationSampler(const OrientationSettings& settings, bool hasHalfTurn) {
   using Kind = OrientationQuantile::Kind;
   constexpr double kTurn = 2.0 * kPi;
   std::visit(
@@ -49,7 +49,8 @@ OrientationSampler::OrientationSampler(const OrientationSettings& settings) {
           [&](const RandomOrientation&) { quantile_.kind = Kind::random; },
           [&](const AxisOrientation& s) {
             quantile_.kind = Kind::axis;
-            angles_ = {zenithSampler(s.zenith, isFree(s.azimuth, kTurn)), turnSampler(s.azimuth), turnSampler(s.roll)};
+            angles_ = {zenithSampler(s.zenith, isFree(s.azimuth, kTurn) && (hasHalfTurn || isFree(s.roll, kTurn))),
+                       turnSampler(s.azimuth), turnSampler(s.roll)};
           },
           [&](const LowitzOrientation& s) {
             quantile_.kind = Kind::lowitz;

@@ -37,7 +37,8 @@ std::optional<RotationColumns<double>> standingOf(const OrientationSettings& set
 /// Draws crystal-to-world rotations. Three numbers in (0, 1) a rotation; the first matters most.
 class OrientationSampler {
  public:
-  explicit OrientationSampler(const OrientationSettings& settings);
+  /// `hasHalfTurn`: whether crystals are the same after half a turn about c.
+  explicit OrientationSampler(const OrientationSettings& settings, bool hasHalfTurn = true);
 
   /// Valid as long as this.
   const OrientationQuantile& quantile() const { return quantile_; }

@@ -88,6 +88,15 @@ bool keeps(const LowitzOrientation& lowitz, const Isometry& isometry) {
   return tilt && spin;
 }
 
+/// Of crystals of any shape: by the mirrors of a hexagonal prism that are theirs, too.
+bool isMirrorSymmetric(const CrystalMesh& mesh, const OrientationSettings& orientation) {
+  // All rotations alike make a sky of rings about the sun.
+  if (std::holds_alternative<RandomOrientation>(orientation)) return true;
+  return std::ranges::any_of(hexagonalGroup(), [&](const Isometry& isometry) {
+    return !isometry.isProper() && keepsOrientations(orientation, isometry) && faceImages(mesh, isometry);
+  });
+}
+
 }  // namespace
 
 bool keepsOrientations(const OrientationSettings& orientation, const Isometry& isometry) {
@@ -95,6 +104,8 @@ bool keepsOrientations(const OrientationSettings& orientation, const Isometry& i
 }
 
 bool isMirrorSymmetric(const PopulationSettings& population) {
+  const bool hexagonal = std::visit([](const auto& shape) { return isHexagonal(shape); }, population.shape);
+  if (!hexagonal) return isMirrorSymmetric(meshOf(typicalShape(population.shape)), population.orientation);
   const bool endsAlike = std::visit([](const auto& shape) { return hasEndsAlike(shape); }, population.shape);
   return std::visit([=](const auto& orientation) { return isMirrorSymmetric(orientation, endsAlike); },
                     population.orientation);

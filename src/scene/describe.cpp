@@ -49,14 +49,24 @@ std::string describe(const OrientationSettings& orientation) {
                     orientation);
 }
 
-std::string wordsFor(const kinds::Number&, double value) { return plain(value); }
-std::string wordsFor(const kinds::Angle&, double angle) { return inDegrees(angle); }
+/// "450, 550, 650"
+std::string listed(const std::vector<double>& numbers) {
+  std::string text;
+  for (const double number : numbers) text += (text.empty() ? "" : ", ") + plain(number);
+  return text;
+}
+
+std::string wordsFor(const kinds::PlaneList&, const std::vector<FacePlane>& planes) {
+  return std::to_string(planes.size());
+}
 std::string wordsFor(double aspect) { return plain(aspect); }
 std::string wordsFor(const AspectDistribution& aspect) { return describe(aspect, plain); }
 
 /// Visits the keys of a population and describes its shape by those that the shape has.
 class ShapeWords {
  public:
+  explicit ShapeWords(const ShapeSettings& shape) : spreads_(spreadsOf(shape)) {}
+
   template <class Kind, class T>
   void key(std::string_view, const Kind&, const T&, std::string_view) {}
 
@@ -74,25 +84,51 @@ class ShapeWords {
         },
         shape);
   }
+  void key(std::string_view name, const kinds::PyramidEnd& end, const PopulationShape& shape, std::string_view) {
+    const auto* pyramid = std::get_if<PyramidSettings>(&shape);
+    if (!pyramid) return;
+    const std::optional<double>& slope = end.isUpper ? pyramid->upperSlope : pyramid->lowerSlope;
+    add(name, plain(end.isUpper ? pyramid->upper : pyramid->lower) + (slope ? " at " + inDegrees(*slope) : ""));
+  }
+  void key(std::string_view name, const kinds::PyramidSlope&, const PopulationShape& shape, std::string_view) {
+    if (const auto* pyramid = std::get_if<PyramidSettings>(&shape)) add(name, inDegrees(pyramid->slope));
+  }
+  void key(std::string_view name, const kinds::SideDistances&, const PopulationShape& shape, std::string_view) {
+    const auto tell = [&](const auto& own) {
+      if constexpr (requires { own.sides; })
+        if (own.sides != kRegularSides) add(name, listed({own.sides.begin(), own.sides.end()}));
+    };
+    std::visit(tell, shape);
+  }
   const std::string& text() const { return text_; }
 
  private:
-  void add(std::string_view name, const std::string& words) { text_ += ", " + std::string(name) + " " + words; }
+  void add(std::string_view name, const std::string& words) {
+    // What is spread is told by itself.
+    for (const ShapeSpread& spread : spreads_)
+      if (nameOf(spread.what) == name) return;
+    text_ += ", " + std::string(name) + " " + words;
+  }
+
+  std::span<const ShapeSpread> spreads_;
 
   std::string text_;
 };
 
-std::string describe(const ShapeSettings& shape) {
-  PopulationKeys keys{.shape = wordsOf(shape)};
-  ShapeWords words;
-  visitKeys(words, keys);
-  return std::string(nameOf(shape)) + words.text();
+/// "upper 0.5, normal, sigma 0.1", "sides 3 5 7 1, uniform, …"
+std::string describe(const ShapeSpread& spread) {
+  std::string what(nameOf(spread.what));
+  for (std::size_t k = 0; k < spread.sides.size(); ++k)
+    if (spread.sides[k]) what += " " + std::to_string(k + 3);
+  return what + " " + describe(spread.distribution, isSlope(spread.what) ? inDegrees : plain);
 }
 
-/// "450, 550, 650"
-std::string listed(const std::vector<double>& numbers) {
-  std::string text;
-  for (const double number : numbers) text += (text.empty() ? "" : ", ") + plain(number);
+std::string describe(const ShapeSettings& shape) {
+  PopulationKeys keys{.shape = wordsOf(shape)};
+  ShapeWords words(shape);
+  visitKeys(words, keys);
+  std::string text = std::string(nameOf(shape)) + words.text();
+  for (const ShapeSpread& spread : spreadsOf(shape)) text += ", " + describe(spread);
   return text;
 }
 

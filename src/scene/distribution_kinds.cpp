@@ -166,13 +166,12 @@ Json written(const Variant& distribution, double (*number)(double)) {
   return std::visit(Overloaded{fixed, spread}, distribution);
 }
 
-bool readAspect(const Value& in, std::string_view, AspectDistribution& out) { return aspectSyntax().read(in, out); }
+bool readAspect(const Value& in, PrismSettings& prism) { return aspectSyntax().read(in, prism.aspect); }
 
-bool readAspect(const Value& in, std::string_view shape, double& out) {
-  const auto number = in.numberIn(kFixedAspectRange);
-  if (!number)
-    return in.mustBe(std::string("a number ").append(kFixedAspectRange.text()) + " for a " + std::string(shape));
-  out = *number;
+bool readAspect(const Value& in, PyramidSettings& pyramid) {
+  LengthDistribution aspect;
+  if (!Length{kFixedAspectRange}.read(in, aspect)) return false;
+  setLength(pyramid, &PyramidSettings::aspect, {ShapeLength::aspect, {}, aspect});
   return true;
 }
 
@@ -199,10 +198,29 @@ bool Spread::read(const Value& in, AngleDistribution& out) const { return spread
 
 Json Spread::schema() const { return spreadSyntax().schema(); }
 
+bool Length::read(const Value& in, LengthDistribution& out) const {
+  const Syntax<LengthDistribution> syntax{
+      isAngle ? "degrees" : "the same for all crystals", range, range, {0.0, 1e4}, isAngle ? radians(1.0) : 1.0};
+  if (in.isNumber() && !in.numberIn(range)) return in.mustBe("a number " + range.text() + (isAngle ? " degrees" : ""));
+  if (!syntax.read(in, out)) return false;
+  if (auto* lognormal = std::get_if<LogNormal>(&out)) {
+    if (isAngle) lognormal->sigma /= radians(1.0);  // it is of the logarithm, which has no unit
+    if (!(lognormal->median > 0.0)) return in.reject("the median of a lognormal distribution must be above 0");
+  }
+  return true;
+}
+
+Json Length::schema() const { return Syntax<LengthDistribution>{"", range, range, {0.0, 1e4}}.schema(); }
+
+Json Length::write(const LengthDistribution& value) const {
+  if (isAngle) return written(value, [](double angle) { return roundToTwelveDigits(degrees(angle)); });
+  return written(value, [](double x) { return x; });
+}
+
 bool Aspect::read(const Value& in, PopulationShape& out) const {
   return std::visit(
       [&](auto& shape) {
-        if constexpr (requires { shape.aspect; }) return readAspect(in, shape.kName, shape.aspect);
+        if constexpr (requires { shape.aspect; }) return readAspect(in, shape);
         return true;
       },
       out);
@@ -211,6 +229,8 @@ bool Aspect::read(const Value& in, PopulationShape& out) const {
 Json Aspect::schema() const {
   Json schema = aspectSyntax().schema();
   schema["anyOf"][0] = numberSchema(kFixedAspectRange);
+  // Those of pyramids, among which are those of prisms.
+  schema["anyOf"][1] = Length{kFixedAspectRange}.schema()["anyOf"][1];
   return schema;
 }
 

@@ -18,11 +18,20 @@ struct HazeWords {
 };
 
 /// The words for what scatters light: the shapes of crystals, and haze.
-using PopulationShape = std::variant<PrismSettings, PyramidSettings, HazeWords>;
+using PopulationShape = std::variant<PrismSettings, PyramidSettings, PlanesSettings, HazeWords>;
 
 /// What words make of the shape of a crystal.
 inline PopulationShape wordsOf(const ShapeSettings& shape) {
   return std::visit([](const auto& own) { return PopulationShape(own); }, shape);
+}
+
+/// The crystals that words mean; none for haze.
+inline std::optional<ShapeSettings> crystalOf(const PopulationShape& words) {
+  const auto same = [](const auto& own) -> std::optional<ShapeSettings> {
+    if constexpr (requires { ShapeSettings(own); }) return own;
+    return std::nullopt;
+  };
+  return std::visit(same, words);
 }
 
 }  // namespace parhelion
@@ -45,7 +54,17 @@ struct Spread {
   Json write(const AngleDistribution&) const { return {}; }
 };
 
-/// The aspect ratio: a number, for shapes that can be stretched also a distribution. It fills the member `aspect` of
+/// A length, a share or an angle (degrees) of a crystal: a number or a distribution with its mean.
+struct Length {
+  Range range;
+  bool isAngle = false;
+
+  bool read(const Value& in, LengthDistribution& out) const;
+  Json schema() const;
+  Json write(const LengthDistribution& value) const;
+};
+
+/// The aspect ratio: a number or a distribution. It fills the member `aspect` of
 /// the chosen shape, if it has one (member_kinds.h).
 struct Aspect {
   bool read(const Value& in, PopulationShape& out) const;

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <optional>
 #include <set>
+#include <stdexcept>
 #include <string>
 
 #include "math/overloaded.h"
@@ -51,8 +52,6 @@ std::string shapesWith(std::string_view key) {
 }
 
 void checkLength(TableReader& reader, const PyramidSettings& pyramid) {
-  for (const std::string_view key : {"aspect", "upper", "lower", "slope"})
-    if (reader.rejected(key)) return;
   const double length = lengthOverWidth(pyramid);
   const Range range{kThinnestAspect, kLongestAspect};
   if (range.contains(length)) return;
@@ -62,18 +61,38 @@ void checkLength(TableReader& reader, const PyramidSettings& pyramid) {
       "the crystal is " + formatNumber(length) + " times as long as wide; that must be a number " + range.text());
 }
 
+/// "a prism"
+std::string oneOf(const PopulationShape& shape) {
+  if (std::holds_alternative<HazeWords>(shape)) return "haze";
+  if (std::holds_alternative<PlanesSettings>(shape)) return "a crystal of planes";
+  return "a " + std::string(nameOf(shape));
+}
+
 void checkShape(TableReader& reader, const PopulationKeys& keys) {
   if (reader.rejected("shape")) return;
   for (const std::string_view key : keysOfChosen(keys).others) {
     if (!reader.has(key)) continue;
-    reader.reject(key, "a " + std::string(nameOf(keys.shape)) + " has no '" + std::string(key) + "'",
-                  "it needs shape = " + shapesWith(key));
+    reader.reject(key, oneOf(keys.shape) + " has no '" + std::string(key) + "'", "it needs shape = " + shapesWith(key));
   }
+  for (const std::string_view key : {"aspect", "sides", "upper", "lower", "slope", "planes"})
+    if (reader.rejected(key)) return;
   if (const auto* pyramid = std::get_if<PyramidSettings>(&keys.shape)) checkLength(reader, *pyramid);
   const auto* haze = std::get_if<HazeWords>(&keys.shape);
   if (reader.has("phase") && !haze)
-    reader.reject("phase", "a " + std::string(nameOf(keys.shape)) + " has no 'phase'", "it needs shape = \"haze\"");
+    reader.reject("phase", oneOf(keys.shape) + " has no 'phase'", "it needs shape = \"haze\"");
   if (haze && haze->g && keys.phase) reader.reject("g", "'g' cannot be used together with 'phase'");
+  if (const auto* own = std::get_if<PlanesSettings>(&keys.shape); own && own->planes.empty())
+    return reader.reject("shape", "a crystal of planes needs 'planes'",
+                         "planes = [{ normal = [0, 0, 1], distance = 1 }, …]");
+  const auto crystal = crystalOf(keys.shape);
+  const bool isCut = reader.has("sides") || reader.has("planes") || (crystal && !spreadsOf(*crystal).empty());
+  if (!crystal || !isCut) return;
+  try {
+    static_cast<void>(meshOf(typicalShape(*crystal)));
+  } catch (const std::invalid_argument& error) {
+    for (const std::string_view key : {"sides", "planes", "upper", "lower", "slope", "aspect"})
+      if (reader.has(key)) return reader.reject(key, error.what());
+  }
 }
 
 /// Why an orientation has neither tilt nor roll of its own, and what to do about it; nothing where it has.

@@ -14,6 +14,7 @@
 #include "scene/distribution_kinds.h"
 #include "scene/kinds.h"
 #include "scene/member_kinds.h"
+#include "scene/shape_kinds.h"
 #include "scene/table_kinds.h"
 
 namespace parhelion {
@@ -109,6 +110,34 @@ void visitKeys(Visitor& v, IceSettings& ice) {
       "of numbers rays take each in turn.");
 }
 
+template <class Visitor>
+void visitKeys(Visitor& v, PyramidEndKeys& end) {
+  v.key("height", kinds::Length{{0, 1}}, end.height, "Its height as a share of its full height.");
+  v.key("slope", kinds::Optional{kinds::Length{{0, 90, true, true}, true}}, end.slope,
+        "Angle between its faces and the c axis, degrees.");
+  v.key("miller", kinds::Optional{kinds::Miller{}}, end.miller,
+        "Miller indices [h, 0, -h, l] of its faces, in the place of a slope.");
+}
+
+template <class Visitor>
+void visitKeys(Visitor& v, TiedSideKeys& sides) {
+  constexpr Range kRange{-100, 100};
+  v.key("twofold", kinds::Optional{kinds::Length{kRange}}, sides.twofold, "Opposite sides are drawn as one.");
+  v.key("threefold", kinds::Optional{kinds::Length{kRange}}, sides.threefold,
+        "Sides 3, 5 and 7 are drawn as one, and 4, 6 and 8.");
+  v.key("sixfold", kinds::Optional{kinds::Length{kRange}}, sides.sixfold, "All sides are drawn as one.");
+}
+
+template <class Visitor>
+void visitKeys(Visitor& v, PlaneKeys& plane) {
+  v.key("normal", kinds::Optional{kinds::Direction{}}, plane.normal,
+        "Direction that the face looks to, of any length: z along the c axis, x through the middle of a prism's face "
+        "3.");
+  v.key("distance", kinds::Number{{-1e6, 1e6}}, plane.distance, "Of the plane from the origin, in any unit.");
+  v.key("face", kinds::Optional{kinds::WholeNumber{1, 999}}, plane.face,
+        "Number of the face in raypaths; its place in the list when left out.");
+}
+
 /// A [[population]] as its keys say it; population_kind.cpp makes PopulationSettings of it.
 struct PopulationKeys {
   std::optional<std::string> name = std::nullopt;
@@ -127,17 +156,27 @@ void visitKeys(Visitor& v, PopulationKeys& p) {
         "Share of all crystal surface in the cloud; the shares need not add up to 1.");
   v.key("shape", kinds::Choice<PopulationShape>{}, p.shape,
         "\"prism\": hexagonal prism, a plate or a column by its aspect; \"pyramid\": with pyramids on its ends; "
+        "\"planes\": any convex crystal, by the planes of its faces; "
         "\"haze\": irregular crystals, which scatter by a phase function.");
   v.key(
       "aspect", kinds::Aspect{}, p.shape,
       "Length along the c axis over the distance between opposite vertices of the hexagon (of a pyramid: of its prism "
-      "part); prisms also { normal = [mean, sigma] } or { uniform = [from, to] }.");
-  v.key("upper", kinds::MemberOf(kinds::Number{{0, 1}}, &PyramidSettings::upper), p.shape,
-        "Pyramids: height of the upper one as a share of its full height.");
-  v.key("lower", kinds::MemberOf(kinds::Number{{0, 1}}, &PyramidSettings::lower), p.shape,
-        "Pyramids: height of the lower one as a share of its full height.");
-  v.key("slope", kinds::MemberOf(kinds::Angle{{0, 90, true, true}}, &PyramidSettings::slope), p.shape,
-        "Pyramids: angle between their faces and the c axis, degrees.");
+      "part); or { normal = [mean, sigma] }, { uniform = [from, to] }, of pyramids also laplace and lognormal.");
+  v.key(
+      "sides", kinds::SideDistances{}, p.shape,
+      "Prisms and pyramids: distances of faces 3 to 8 from the c axis, over those of a regular crystal: six numbers or "
+      "distributions; one distribution, of which each side is drawn; or { threefold = ... }, { twofold = ... }, "
+      "{ sixfold = ... }, where every second, every third or every side is drawn as one. What the faces leave is the "
+      "crystal; faces too far out are none.");
+  v.key("upper", kinds::PyramidEnd{true}, p.shape,
+        "Pyramids: height of the upper one as a share of its full height, a number or a distribution, or a table with "
+        "its slope, too.");
+  v.key("lower", kinds::PyramidEnd{false}, p.shape, "Pyramids: the same of the lower one.");
+  v.key("slope", kinds::PyramidSlope{}, p.shape,
+        "Pyramids: angle between their faces and the c axis, degrees, where an end has none of its own; a number or a "
+        "distribution.");
+  v.key("planes", kinds::MemberOf(kinds::PlaneList{}, &PlanesSettings::planes), p.shape,
+        "Any convex crystal: the planes of its faces.");
   v.key("g", kinds::MemberOf(kinds::Optional{kinds::Number{{-1, 1, true, true}}}, &HazeWords::g), p.shape,
         "Haze: mean cosine of the angle of scattering, of Henyey and Greenstein's phase function; 0.75 when left out.");
   v.key("phase", kinds::Optional{kinds::Phase{}}, p.phase,

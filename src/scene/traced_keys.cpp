@@ -139,15 +139,39 @@ class KeyLister {
   }
 
   void crystal(const PrismSettings& own) {
-    const auto& [aspect] = own;
+    const auto& [aspect, ownSides, ownSpreads] = own;
     put("aspect", textOf(aspect));
+    sides(ownSides);
+    spreads(ownSpreads);
   }
   void crystal(const PyramidSettings& own) {
-    const auto& [aspect, upper, lower, slope] = own;
+    const auto& [aspect, upper, lower, slope, upperSlope, lowerSlope, ownSides, ownSpreads] = own;
     put("aspect", digitsOf(aspect));
     put("upper", digitsOf(upper));
     put("lower", digitsOf(lower));
     put("slope", digitsOf(slope));
+    if (upperSlope) put("upper.slope", digitsOf(*upperSlope));
+    if (lowerSlope) put("lower.slope", digitsOf(*lowerSlope));
+    sides(ownSides);
+    spreads(ownSpreads);
+  }
+  void crystal(const PlanesSettings& own) {
+    for (const auto& [number, normal, distance] : own.planes)
+      put("plane", std::to_string(number) + " " + digitsOf(normal.x) + " " + digitsOf(normal.y) + " " +
+                       digitsOf(normal.z) + " " + digitsOf(distance));
+  }
+
+  void spreads(const std::vector<ShapeSpread>& own) {
+    for (const auto& [what, which, distribution] : own) {
+      std::string text(nameOf(what));
+      for (const bool one : which) text += one ? " 1" : " 0";
+      put("spread", text + " " + textOf(distribution));
+    }
+  }
+
+  /// Regular ones are not told, so that scenes keep their hash.
+  void sides(const Sides& own) {
+    if (own != kRegularSides) put("sides", digitsOf({own.begin(), own.end()}));
   }
 
   void stance(const RandomOrientation&) { put("orientation", "random"); }

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "trace/drawn_crystal.h"
 #include "trace/lane_steps.h"
 
 namespace parhelion {
@@ -19,10 +20,13 @@ double goldenQuantile(std::uint64_t seed, std::uint64_t bundle) {
   return toUnitInterval(fromWords(lowWord(start.b), lowWord(start.a)) + bundle * kGolden);
 }
 
-/// Interceptions of so many crystals of one population.
-std::vector<double> pilotInterceptions(const IncidenceTable& table, int population, int count) {
+// A wave's rays: enough that making a crystal costs little beside them.
+constexpr int kRaysPerShape = 1024;
+
+/// Interceptions of so many crystals of one population, from crystal `first` on.
+std::vector<double> pilotInterceptions(const IncidenceTable& table, int population, std::uint64_t first, int count) {
   std::vector<std::uint64_t> bundles(count + RayQueue::kSpare), rejected(RayQueue::kSpare);
-  std::iota(bundles.begin(), bundles.end(), std::uint64_t{0});
+  std::iota(bundles.begin(), bundles.end(), first);
   RayQueue queue(1);
   queue.makeRoom(count);
   IncidenceNumbers numbers{};
@@ -33,6 +37,20 @@ std::vector<double> pilotInterceptions(const IncidenceTable& table, int populati
     laneSteps().propose(table, numbers, proposals, queue);
   }
   return {queue.weight.begin(), queue.weight.begin() + count};
+}
+
+/// The same where shapes are spread: of so many shapes.
+std::vector<double> spreadInterceptions(IncidenceTable table, const Population& crystals, int population, int count) {
+  constexpr int kShapes = 64;
+  std::vector<double> all;
+  for (int shape = 0; shape < kShapes; ++shape) {
+    const DrawnCrystal drawn(crystals, 0, shape);
+    table.faces = &drawn.faces;
+    const int some = count / kShapes;
+    const std::vector<double> own = pilotInterceptions(table, population, std::uint64_t(shape) * some, some);
+    all.insert(all.end(), own.begin(), own.end());
+  }
+  return all;
 }
 
 }  // namespace
@@ -54,9 +72,12 @@ Cloud::Cloud(const SunSettings& sun, const IceSettings& ice, std::span<const Pop
   for (int p = 0; p < static_cast<int>(populations_.size()); ++p) {
     IncidenceTable table = incidence(p, Sampler::sobol);
     table.bound = 1.0;  // so that weights are interceptions
-    const std::vector<double> pilot = pilotInterceptions(table, p, kPilot);
-    highest.push_back(*std::ranges::max_element(pilot));
+    const bool isSpread = populations_[p].isSpread();
+    hasSpreadShapes_ |= isSpread;
+    const std::vector<double> pilot =
+        isSpread ? spreadInterceptions(table, populations_[p], p, kPilot) : pilotInterceptions(table, p, 0, kPilot);
     mean.push_back(std::accumulate(pilot.begin(), pilot.end(), 0.0) / kPilot);
+    highest.push_back(isSpread ? mean.back() : *std::ranges::max_element(pilot));
   }
   addPilot(pilot_[static_cast<int>(Sampler::random)], highest);
   addPilot(pilot_[static_cast<int>(Sampler::sobol)], mean);
@@ -99,9 +120,11 @@ IncidenceTable Cloud::incidence(int population, Sampler sampler) const {
           {toSun.x, toSun.y, toSun.z},
           disc_.get(),
           bound,
-          sampler == Sampler::random,
+          sampler == Sampler::random && !populations_[population].isSpread(),
           lightPerRay_.empty() ? 1.0 : lightPerRay_[population]};
 }
+
+int Cloud::bundlesPerShape() const { return std::max(32, kRaysPerShape / bundleSize()); }
 
 SpectralSample Cloud::light(std::uint64_t seed, std::uint64_t bundle, int member) const {
   if (!spectrum_.lines().empty()) return spectrum_.lines()[member];

@@ -32,8 +32,13 @@ class Cloud {
   /// What the rays of a population are drawn from; valid as long as the cloud.
   IncidenceTable incidence(int population, Sampler sampler) const;
 
-  /// The crystal of a population for lanes.
+  /// The crystal of a population for lanes; of one whose shapes are spread it is a typical one, which no ray meets.
   const FaceTable& faces(int population) const { return faces_[population]; }
+
+  /// Whether there are populations whose shapes are spread. So many bundles in a row, counted from the run's first,
+  /// meet the same crystal of such a population.
+  bool hasSpreadShapes() const { return hasSpreadShapes_; }
+  int bundlesPerShape() const;
 
   /// Shares of the populations among the crystals proposed, added up to 1.
   const std::vector<double>& shares(Sampler sampler) const { return pilot_[static_cast<int>(sampler)].cumulative; }
@@ -69,6 +74,7 @@ class Cloud {
   IceSettings ice_;
   std::vector<Population> populations_;
   std::vector<FaceTable> faces_;
+  bool hasSpreadShapes_ = false;
   std::array<Pilot, kNamesOf<Sampler>.size()> pilot_;        // by Sampler
   std::vector<double> favours_, lightPerRay_, lightShares_;  // by population
 };

@@ -116,7 +116,7 @@ EmbreeIntersector::EmbreeIntersector(const EmbreeDevice& device, const CrystalMe
   rtcSetSceneFlags(scene_.get(), mode == EmbreeMode::robust ? RTC_SCENE_FLAG_ROBUST : RTC_SCENE_FLAG_NONE);
   rtcSetSceneBuildQuality(scene_.get(), RTC_BUILD_QUALITY_HIGH);
   for (int face = 0; face < static_cast<int>(mesh.faces().size()); ++face)
-    if (!addFace(device_->device, scene_.get(), mesh, face)) break;
+    if (mesh.faces()[face].area > 0.0 && !addFace(device_->device, scene_.get(), mesh, face)) break;
   device_->check("loading a crystal");
   rtcCommitScene(scene_.get());
   device_->check("building a crystal");

@@ -10,6 +10,7 @@
 #include "math/arctangent.h"
 #include "math/rotation.h"
 #include "parallel/loops.h"
+#include "trace/drawn_crystal.h"
 #include "trace/scatter_profile.h"
 #include "trace/trace.h"
 
@@ -30,9 +31,19 @@ bool hasFreeAzimuths(const PopulationSettings& population) {
   return !axis || isFree(axis->azimuth, 2.0 * kPi);
 }
 
+/// A population's crystal; where shapes are spread, so many that they stand for all.
+std::vector<FaceTable> shapesOf(const Population& population) {
+  constexpr std::uint64_t kShapes = 61;
+  std::vector<FaceTable> shapes;
+  if (!population.isSpread()) shapes.emplace_back(population.mesh());
+  for (std::uint64_t k = 0; population.isSpread() && k < kShapes; ++k)
+    shapes.push_back(DrawnCrystal(population, 0, k).faces);
+  return shapes;
+}
+
 /// The mean shadow of crystals per surface, by points that fill the unit cube evenly: an additive recurrence with the
 /// roots of x^5 = x + 1 (Roberts 2018).
-double meanShadow(const Population& population, const FaceTable& faces, const Vec3& toLight) {
+double meanShadow(const Population& population, std::span<const FaceTable> shapes, const Vec3& toLight) {
   constexpr double kRoot = 1.1673039782614187;
   double step[4], power = 1.0;
   for (double& s : step) s = power /= kRoot;
@@ -43,6 +54,7 @@ double meanShadow(const Population& population, const FaceTable& faces, const Ve
       const double place = 0.5 + k * step[d];
       u[d] = std::clamp(place - std::floor(place), 1e-9, 1.0 - 1e-9);
     }
+    const FaceTable& faces = shapes[static_cast<std::size_t>(k) % shapes.size()];
     const auto axes = population.orientationQuantile().at(u[0], u[1], u[2]);
     const double stretch = population.stretch() ? population.stretch()->at(u[3]) : 1.0;
     const auto along = [&](const Triple<double>& axis) {
@@ -88,14 +100,14 @@ double Extinction::Table::at(const Place& place) const {
 Extinction::Kind Extinction::kindOf(const SunSettings& sun, const IceSettings& ice,
                                     const PopulationSettings& settings) {
   const Population population(settings);
-  const FaceTable faces(population.mesh());
+  const std::vector<FaceTable> shapes = shapesOf(population);
   const int columns = hasFreeAzimuths(settings) ? 1 : kAzimuths;
   const bool isRandom = population.isFullyRandom();
   Kind kind{population.weight(), {isRandom ? 1 : kShadowRows, columns}, {isRandom ? 1 : kUndeviatedRows, columns}};
   if (isRandom) kind.shadow[0] = kRandomShadow;
   if (!isRandom)
     forEach(kind.shadow.size(),
-            [&](std::size_t k) { kind.shadow[k] = meanShadow(population, faces, kind.shadow.directionOf(k)); });
+            [&](std::size_t k) { kind.shadow[k] = meanShadow(population, shapes, kind.shadow.directionOf(k)); });
   forEach(kind.undeviated.size(), [&](std::size_t k) {
     const SkyPoint from = skyPoint(kind.undeviated.directionOf(k));
     SunSettings light = sun;

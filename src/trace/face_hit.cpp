@@ -12,7 +12,7 @@ std::optional<FaceHit> nextFaceByPlanes(const Crystal& crystal, const Vec3& poin
   const auto& faces = crystal.mesh->faces();
   for (int face = 0; face < static_cast<int>(faces.size()); ++face) {
     const double approach = glm::dot(faces[face].normal, lightDir);
-    if (face == leftFace || !(approach > 0.0)) continue;
+    if (face == leftFace || !(approach > 0.0) || faces[face].area == 0.0) continue;
     // A point that rounding has put just outside a plane leaves through it at once.
     const double distance = std::max(0.0, (crystal.offset(face) - glm::dot(faces[face].normal, point)) / approach);
     if (!nearest || distance < nearest->distance) nearest = FaceHit{face, distance, approach, false};

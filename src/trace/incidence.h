@@ -42,7 +42,7 @@ struct IncidenceTable {
 
   // A crystal intercepts its shadow over its surface per unit of surface. It is taken with probability interception /
   // bound, and its ray weighs 1, or the quotient where that is more. Without `rejects` every crystal is taken and the
-  // ray weighs the quotient.
+  // ray weighs the quotient: so many rays may share the shape of their crystal, whatever light that intercepts.
   double bound;
   bool rejects;
   double lightPerRay = 1.0;  // by which all weights are multiplied, where rays are not shared out as light is

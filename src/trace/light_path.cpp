@@ -107,6 +107,9 @@ void followLight(const Intersector& engine, const TraceSettings& settings, Light
 void followRay(RaySource& source, const Intersectors& engines, const TraceSettings& settings, std::uint64_t index,
                LightPath& path) {
   path.incident = source.ray(index);
+  const CrystalMesh& mesh = *path.incident.crystal.mesh;
+  // A shape that is spread has no engine of its own; the planes are exact for any convex one.
+  if (source.blockOf(path.incident.population)) return followLight(PlanesIntersector(mesh), settings, path);
   followLight(engines[path.incident.population], settings, path);
 }
 

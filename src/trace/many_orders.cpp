@@ -44,9 +44,13 @@ double mostIntercepted(const FaceTable& faces, const AngleQuantile* stretch) {
 }
 
 /// Those that have any weight.
+// A population whose shapes are spread is so many of one shape each.
+constexpr int kShapes = 32;
+
 std::vector<PopulationSettings> withWeight(const std::vector<PopulationSettings>& all) {
   std::vector<PopulationSettings> some;
-  std::ranges::copy_if(all, std::back_inserter(some), [](const auto& one) { return one.weight > 0.0; });
+  for (const PopulationSettings& one : all)
+    if (one.weight > 0.0) std::ranges::copy(withFixedShapes(one, kShapes), std::back_inserter(some));
   return some;
 }
 

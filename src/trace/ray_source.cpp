@@ -24,6 +24,7 @@ RaySource::RaySource(const Cloud& cloud, const TraceSettings& settings, int room
       seed_(settings.seed),
       sampler_(settings.sampler),
       room_(room),
+      drawn_(cloud.populations().size()),
       waiting_(room + RayQueue::kSpare),
       candidates_(cloud.populations().size()) {
   // Two scrambles, so that the halves of a tally are independent estimates, each of a whole net of points. Seeds of
@@ -38,6 +39,7 @@ RaySource::RaySource(const Cloud& cloud, const TraceSettings& settings, int room
 }
 
 void RaySource::draw(std::uint64_t first, int count) {
+  if (cloud_.hasSpreadShapes()) drawCrystals(first / cloud_.bundlesPerShape());
   for (RayQueue& queue : queues_) queue.count = 0;
   waiting_.assign(count, 0);
   std::iota(waiting_.begin(), waiting_.end(), first);
@@ -50,6 +52,21 @@ void RaySource::draw(std::uint64_t first, int count) {
   places_.clear();
   if (!cloud_.hasFixedLight())
     for (RayQueue& queue : queues_) setLight(queue);
+}
+
+void RaySource::drawCrystals(std::uint64_t block) {
+  for (std::size_t p = 0; p < drawn_.size(); ++p) {
+    const Population& population = cloud_.populations()[p];
+    if (population.isSpread() && !(drawn_[p] && drawn_[p]->block == block)) drawn_[p].emplace(population, seed_, block);
+  }
+}
+
+const CrystalMesh& RaySource::mesh(int population) const {
+  return drawn_[population] ? drawn_[population]->mesh : cloud_.populations()[population].mesh();
+}
+
+const FaceTable& RaySource::faces(int population) const {
+  return drawn_[population] ? drawn_[population]->faces : cloud_.faces(population);
 }
 
 /// Deals the waiting bundles out to the populations that they try next.
@@ -76,7 +93,8 @@ void RaySource::propose(int population, int attempt) {
   auto& bundles = candidates_[population];
   const int count = static_cast<int>(bundles.size());
   bundles.resize(count + RayQueue::kSpare);
-  const IncidenceTable table = cloud_.incidence(population, sampler_);
+  IncidenceTable table = cloud_.incidence(population, sampler_);
+  table.faces = &faces(population);
   const std::size_t before = waiting_.size();
   waiting_.resize(before + count + RayQueue::kSpare);
   Proposals proposals{nullptr, 0, waiting_.data() + before, 0};
@@ -129,8 +147,10 @@ void RaySource::setLight(RayQueue& queue) {
 IncidentRay RaySource::ray(std::uint64_t index) {
   const std::uint64_t bundle = index / cloud_.bundleSize();
   if (places_.empty() || bundle < first_ || bundle >= first_ + places_.size()) {
-    draw(bundle, room_);
-    places_.resize(room_);
+    const auto block = static_cast<std::uint64_t>(cloud_.bundlesPerShape());
+    const int count = cloud_.hasSpreadShapes() ? std::min(room_, static_cast<int>(block - bundle % block)) : room_;
+    draw(bundle, count);
+    places_.resize(count);
     for (int p = 0; p < static_cast<int>(queues_.size()); ++p)
       for (int place = 0; place < queues_[p].count; ++place) places_[queues_[p].bundle[place] - first_] = {p, place};
   }
@@ -143,7 +163,7 @@ IncidentRay RaySource::ray(std::uint64_t index) {
   return {index,
           bundle,
           population,
-          {&cloud_.populations()[population].mesh(), q.stretch[place]},
+          {&mesh(population), q.stretch[place]},
           Mat3(vec(q.crystalX), vec(q.crystalY), vec(q.crystalZ)),
           vec(q.lightWorld),
           vec(q.lightCrystal),

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "math/sobol.h"
 #include "trace/cloud.h"
+#include "trace/drawn_crystal.h"
 #include "trace/incident_ray.h"
 #include "trace/lane_steps.h"
 
@@ -22,19 +24,30 @@ class RaySource {
             const LaneSteps& steps = parhelion::laneSteps());
 
   /// Draws bundles first ... first + count - 1, each into the queue of its population. They replace what was drawn
-  /// before.
+  /// before. Where shapes are spread, all must be of one block of Cloud::bundlesPerShape() bundles.
   void draw(std::uint64_t first, int count);
 
   /// One queue for each population, in the cloud's order.
   std::vector<RayQueue>& queues() { return queues_; }
 
-  /// Ray `index` of the run, by itself.
+  /// The crystal that the bundles drawn meet in a population: as a mesh, and for lanes.
+  const CrystalMesh& mesh(int population) const;
+  const FaceTable& faces(int population) const;
+
+  /// The number of its block; none where all crystals of the population are alike.
+  std::optional<std::uint64_t> blockOf(int population) const {
+    return drawn_[population] ? std::optional(drawn_[population]->block) : std::nullopt;
+  }
+
+  /// Ray `index` of the run, by itself. Where its population's shape is spread, the crystal is valid until another is
+  /// asked for.
   IncidentRay ray(std::uint64_t index);
 
  private:
   struct Place {
     int population, place;
   };
+  void drawCrystals(std::uint64_t block);
   void propose(int population, int attempt);
   void fill(const std::uint64_t* bundles, int count, int attempt);
   void fillSobol(const std::uint64_t* bundles, int count, int dimension, double* numbers);
@@ -49,6 +62,7 @@ class RaySource {
   int room_;
 
   std::vector<RayQueue> queues_;
+  std::vector<std::optional<DrawnCrystal>> drawn_;  // by population, where shapes are spread
   IncidenceNumbers numbers_{};
   std::vector<std::uint64_t> waiting_;                  // bundles that have no ray yet
   std::vector<std::vector<std::uint64_t>> candidates_;  // the same, by the population that each tries next

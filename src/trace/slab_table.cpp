@@ -14,7 +14,7 @@ SlabTable::SlabTable(const CrystalMesh& mesh) {
   const auto& faces = mesh.faces();
   std::vector<bool> taken(faces.size());
   for (int face = 0; face < static_cast<int>(faces.size()); ++face) {
-    if (taken[face]) continue;
+    if (taken[face] || faces[face].area == 0.0) continue;
     const Vec3& normal = faces[face].normal;
     x[count] = normal.x;
     y[count] = normal.y;
@@ -25,7 +25,7 @@ SlabTable::SlabTable(const CrystalMesh& mesh) {
     back[count] = kNoFace;
     grows[count] = normal.z != 0.0;
     for (int other = face + 1; other < static_cast<int>(faces.size()); ++other)
-      if (faces[other].normal == -normal) {
+      if (faces[other].normal == -normal && faces[other].area > 0.0) {
         backOffset[count] = faces[other].offset;
         back[count] = other;
         taken[other] = true;

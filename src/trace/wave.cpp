@@ -38,6 +38,7 @@ void TraceCounts::merge(const TraceCounts& other) {
 
 int Wave::bundles(const Cloud& cloud) {
   constexpr int kRays = 1024;
+  if (cloud.hasSpreadShapes()) return cloud.bundlesPerShape();
   return std::max(32, kRays / cloud.bundleSize()) - RayQueue::kSpare;
 }
 
@@ -50,6 +51,8 @@ Wave::Wave(const Cloud& cloud, const Intersectors& engines, const PathPlan& path
       seed_(settings.seed),
       rule_(pathRule(settings.path)),
       source_(cloud, settings, bundles(cloud), steps),
+      ownEngine_(settings.engine),
+      own_(cloud.populations().size()),
       pool_(emptyPool()) {
   exits_.record = paths.record();
   for (int p = 0; p < static_cast<int>(cloud.populations().size()); ++p)
@@ -57,17 +60,28 @@ Wave::Wave(const Cloud& cloud, const Intersectors& engines, const PathPlan& path
 }
 
 void Wave::trace(std::uint64_t first, int count, int members, Film& tally) {
+  if (!cloud_.hasSpreadShapes()) return traceBlock(first, count, members, tally);
+  const auto block = static_cast<std::uint64_t>(cloud_.bundlesPerShape());
+  for (std::uint64_t at = first; at < first + count;) {
+    const std::uint64_t some = std::min(first + count - at, block - at % block);
+    traceBlock(at, static_cast<int>(some), members, tally);
+    at += some;
+  }
+}
+
+/// The same for bundles that meet the same crystals where shapes are spread.
+void Wave::traceBlock(std::uint64_t first, int count, int members, Film& tally) {
   source_.draw(first, count);
   for (int p = 0; p < static_cast<int>(engines_.size()); ++p) {
     RayQueue& queue = source_.queues()[p];
     if (queue.count == 0) continue;
     follow(queue, p, members);
-    counts_.placed += tally.add({queue, exits_, members, p, cloud_.populations()[p].mesh(), steps_});
+    counts_.placed += tally.add({queue, exits_, members, p, source_.mesh(p), steps_});
   }
 }
 
 void Wave::follow(RayQueue& queue, int population, int members) {
-  const FaceTable& faces = cloud_.faces(population);
+  const FaceTable& faces = source_.faces(population);
   const PathTable paths = paths_.table(population);
   const auto enter = steps_.enter[static_cast<std::size_t>(paths_.record())];
   const auto meetFaces = steps_.meetFaces[static_cast<std::size_t>(paths_.record())];
@@ -97,9 +111,18 @@ void Wave::follow(RayQueue& queue, int population, int members) {
 }
 
 void Wave::findFaces(int population) {
-  const MeshTables tables{cloud_.populations()[population].mesh(), cloud_.faces(population)};
+  const MeshTables tables{source_.mesh(population), source_.faces(population)};
   counts_.rescued +=
-      std::visit([&](const auto& engine) { return engine.findFaces(tables, steps_, *pool_); }, engines_[population]);
+      std::visit([&](const auto& engine) { return engine.findFaces(tables, steps_, *pool_); }, engine(population));
+}
+
+const Intersector& Wave::engine(int population) {
+  const auto block = source_.blockOf(population);
+  if (!block) return engines_[population];
+  auto& own = own_[population];
+  if (!own || own->block != *block)
+    own.emplace(OwnEngine{*block, makeIntersector(ownEngine_, source_.mesh(population), devices_)});
+  return own->engine;
 }
 
 /// Puts the queue's next ray that has light inside its crystal at a place of the pool; false when there is none.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -54,6 +55,8 @@ class Wave {
   TraceCounts takeCounts() { return std::exchange(counts_, {}); }
 
  private:
+  void traceBlock(std::uint64_t first, int count, int members, Film& tally);
+  const Intersector& engine(int population);
   void follow(RayQueue& queue, int population, int members);
   void findFaces(int population);
   bool putNext(RayQueue& queue, int population, int members, int place);
@@ -75,6 +78,15 @@ class Wave {
   PathRule rule_;
   std::vector<double> perLight_;  // EnergyUnits::perLight of each population
   RaySource source_;
+
+  /// The engine for the crystal of a population whose shape is spread.
+  struct OwnEngine {
+    std::uint64_t block;
+    Intersector engine;
+  };
+  Engine ownEngine_;
+  EngineDevices devices_;
+  std::vector<std::optional<OwnEngine>> own_;  // by population
   std::unique_ptr<RayPool> pool_;
   int nextMember_ = 0, nextPlace_ = 0;  // of the rays in the queue
   ExitList exits_;

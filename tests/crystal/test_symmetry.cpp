@@ -21,7 +21,8 @@ namespace {
 // What tells one face from another in the sky is its kind; whether up and down differ, the crystal says.
 int kindOf(const Face& face, bool endsAlike) {
   if (face.number <= 2) return endsAlike ? 1 : face.number;
-  if (face.number <= 8) return 3;
+  // Sides of prisms that are not regular differ by their areas.
+  if (face.number <= 8) return 3 + 30 * static_cast<int>(std::lround(10.0 * face.area));
   return endsAlike ? 13 : (face.number < 20 ? 13 : 23);
 }
 
@@ -67,7 +68,7 @@ double measuredAsymmetry(const PopulationSettings& settings) {
     const Face& a = faces[static_cast<std::size_t>(random.next() * static_cast<double>(faces.size()))];
     const Face& b = faces[static_cast<std::size_t>(random.next() * static_cast<double>(faces.size()))];
     const Vec3 na = m * a.normal, nb = m * b.normal;
-    const int kinds = kindOf(a, endsAlike) * 100 + kindOf(b, endsAlike);
+    const int kinds = kindOf(a, endsAlike) * 10000 + kindOf(b, endsAlike);
     single[{kindOf(a, endsAlike), cellOf(na.x), cellOf(na.z), 0, cellOf(na.y)}] += 1.0;
     wound[{kinds, cellOf(na.z), cellOf(nb.z), 0, cellOf(glm::cross(na, nb).z)}] += 1.0;
   }
@@ -75,6 +76,9 @@ double measuredAsymmetry(const PopulationSettings& settings) {
 }
 
 const AngleDistribution kFree = UniformRange{0.0, 2.0 * kPi};
+// Triangular, and without any mirror that contains the c axis.
+const PrismSettings kTriangle{FixedValue{0.5}, {1.0, 1.7, 1.0, 1.7, 1.0, 1.7}};
+const PrismSettings kSkew{FixedValue{0.5}, {1.0, 1.3, 0.9, 1.0, 1.1, 0.8}};
 const PyramidSettings kAlike{0.5, 0.6, 0.6}, kLopsided{0.5, 0.9, 0.2};
 
 PopulationSettings crystals(const ShapeSettings& shape, const OrientationSettings& orientation) {
@@ -128,6 +132,14 @@ TEST_CASE("populations called mirror symmetric about the sun's vertical look the
         crystals(endsAlike, axis(PolarNormal{deg(90), deg(70)}, FixedValue{deg(90)}, FixedValue{deg(10)})));
     symmetric.push_back(crystals(endsAlike, axis(UniformRange{deg(-130), deg(-50)}, kFree, FixedValue{deg(10)})));
   }
+  // Plates and columns of any sides that roll freely are turned over as often as not, or have their mirrors in the
+  // planes of their ends.
+  for (const PrismSettings& shape : {kTriangle, kSkew}) {
+    symmetric.push_back(crystals(shape, RandomOrientation{}));
+    symmetric.push_back(crystals(shape, AxisOrientation{Normal{deg(90), deg(10)}}));
+  }
+  symmetric.push_back(crystals(kTriangle, AxisOrientation{Normal{0.0, deg(20)}}));
+  symmetric.push_back(crystals(kTriangle, axis(Normal{deg(90), deg(5)}, kFree, Normal{0.0, deg(4)})));
   for (std::size_t i = 0; i < symmetric.size(); ++i) {
     CAPTURE(i);
     CHECK(isMirrorSymmetric(symmetric[i]));
@@ -138,6 +150,9 @@ TEST_CASE("populations called mirror symmetric about the sun's vertical look the
 TEST_CASE("populations that look different in the mirror are not called symmetric") {
   const AngleDistribution tilted = FixedValue{deg(35)}, right = FixedValue{0.0}, level = FixedValue{deg(90)};
   const std::vector<PopulationSettings> lopsided{
+      crystals(kSkew, AxisOrientation{Normal{0.0, deg(20)}}),
+      crystals(kSkew, axis(tilted, kFree, right)),
+      crystals(kTriangle, axis(tilted, kFree, FixedValue{deg(10)})),
       crystals(PrismSettings{}, axis(tilted, FixedValue{deg(30)}, kFree)),
       crystals(PrismSettings{}, axis(tilted, right, FixedValue{deg(10)})),
       crystals(PrismSettings{}, axis(tilted, UniformRange{deg(-40), deg(40)}, FixedValue{deg(10)})),

@@ -55,7 +55,7 @@ TEST_CASE("a phase function is read from a file beside the scene, and the scene 
 }
 
 TEST_CASE("what haze does not have is refused") {
-  CHECK(messageOf(hazeOf("aspect = 1")) == "a haze has no 'aspect'");
+  CHECK(messageOf(hazeOf("aspect = 1")) == "haze has no 'aspect'");
   CHECK(messageOf(hazeOf("tilt = 1")) == "haze has no 'tilt'");
   CHECK(messageOf(hazeOf("g = 0.5\nphase = [[0, 1], [180, 1]]")) == "'g' cannot be used together with 'phase'");
   CHECK(messageOf(hazeOf("g = 1")).starts_with("'g' must be a number"));

@@ -92,8 +92,8 @@ TEST_CASE("impossible distributions are refused") {
 
 TEST_CASE("shapes refuse each other's keys") {
   CHECK(wrongPopulation("upper = 0.5") == Lines{"2:9 a prism has no 'upper'"});
-  CHECK(wrongPopulation("shape = 'pyramid'\naspect = { normal = [1, 0.1] }") ==
-        Lines{"3:10 'aspect' must be a number from 0 to 10000 for a pyramid, not a table"});
+  CHECK(wrongPopulation("shape = 'pyramid'\nplanes = [{ normal = [1, 0, 0] }]") ==
+        Lines{"3:10 a pyramid has no 'planes'"});
   CHECK(wrongPopulation("shape = 'pyramid'\naspect = 0\nupper = 0\nlower = 0") ==
         Lines{"3:10 the crystal is 0 times as long as wide; that must be a number from 0.0001 to 10000"});
   CHECK(wrongPopulation("shape = 'pyramid'\naspect = 1e-12\nupper = 0\nlower = 0") ==

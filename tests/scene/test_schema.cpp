@@ -116,8 +116,8 @@ TEST_CASE("the schema's ranges and names are the parser's") {
   CHECK(elevation["minimum"] == -90);
   CHECK(elevation["maximum"] == 90);
   const Json& slope = t["population"]["properties"]["slope"];
-  CHECK(slope["exclusiveMinimum"] == true);
-  CHECK(slope["exclusiveMaximum"] == true);
+  CHECK(slope["anyOf"][0]["exclusiveMinimum"] == true);
+  CHECK(slope["anyOf"][0]["exclusiveMaximum"] == true);
   for (const Json& name : t["camera"]["properties"]["projection"]["enum"]) {
     CAPTURE(name);
     CHECK(errorsOf("camera.projection = " + name.dump() + "\n[[population]]").empty());

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "crystal/shapes/prism.h"
 
+#include <algorithm>
+#include <iterator>
+
 #include "crystal/shapes/hexagon_stack.h"
 
 namespace parhelion {
@@ -16,7 +19,11 @@ CrystalMesh hexagonalPrism(double aspect) {
 
 CrystalMesh meshOf(const PrismSettings& prism) {
   const auto* fixed = std::get_if<FixedValue>(&prism.aspect);
-  return hexagonalPrism(fixed ? fixed->value : 1.0);
+  const double aspect = fixed ? fixed->value : 1.0;
+  if (isHexagonal(prism)) return hexagonalPrism(aspect);
+  std::vector<FacePlane> planes = endPlanes(aspect, -aspect);
+  std::ranges::copy(sidePlanes(prism.sides), std::back_inserter(planes));
+  return convexBody(planes, !prism.spreads.empty());
 }
 
 std::optional<AngleDistribution> stretchOf(const PrismSettings& prism) {

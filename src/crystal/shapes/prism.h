@@ -3,9 +3,12 @@
 
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include "crystal/crystal_mesh.h"
 #include "crystal/distributions.h"
+#include "crystal/shape_spread.h"
+#include "crystal/shapes/sides.h"
 
 namespace parhelion {
 
@@ -13,6 +16,8 @@ namespace parhelion {
 struct PrismSettings {
   static constexpr std::string_view kName = "prism";
   AspectDistribution aspect = FixedValue{1.0};
+  Sides sides = kRegularSides;
+  std::vector<ShapeSpread> spreads = {};  // of sides
 };
 
 /// Hexagonal prism centred on the origin, hexagon side 1, length 2 * `aspect` along c. Faces 1-8.
@@ -21,5 +26,6 @@ CrystalMesh hexagonalPrism(double aspect);
 CrystalMesh meshOf(const PrismSettings& prism);
 std::optional<AngleDistribution> stretchOf(const PrismSettings& prism);
 inline bool hasEndsAlike(const PrismSettings&) { return true; }
+inline bool isHexagonal(const PrismSettings& prism) { return prism.sides == kRegularSides && prism.spreads.empty(); }
 
 }  // namespace parhelion

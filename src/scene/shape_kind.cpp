@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+#include <set>
+#include <string>
+
+#include "scene/scene_keys.h"
+
+namespace parhelion {
+
+namespace kinds {
+
+namespace {
+
+constexpr Range kSide{-100.0, 100.0};
+constexpr Range kHeight{0.0, 1.0};
+constexpr Range kSlopeDegrees{0.0, 90.0, true, true};
+constexpr int kLargestMiller = 99;
+
+/// The numbers of a list of `count`, if it is one.
+std::optional<std::vector<double>> numbersIn(const Value& in, std::size_t count, const Range& range) {
+  const toml::array* list = in.node.as_array();
+  if (!list || list->size() != count) return std::nullopt;
+  std::vector<double> numbers;
+  for (const toml::node& element : *list) {
+    const auto number = Value{element, in.key, in.complaints}.numberIn(range);
+    if (!number) return std::nullopt;
+    numbers.push_back(*number);
+  }
+  return numbers;
+}
+
+/// Whether a table is a distribution by its only key.
+bool isDistribution(const toml::table& table) {
+  return table.size() == 1 && (table.contains(Normal::kWords.name) || table.contains(UniformRange::kWords.name) ||
+                               table.contains(Laplace::kWords.name) || table.contains(LogNormal::kWords.name));
+}
+
+Json listOf(const Json& items, std::size_t count) {
+  return {{"type", "array"}, {"items", items}, {"minItems", count}, {"maxItems", count}};
+}
+
+}  // namespace
+
+namespace {
+
+constexpr ShapeLength kSides = ShapeLength::sides;
+using SideMask = std::array<bool, 6>;
+
+/// Sets sides of the shapes that have some.
+void setSides(const SideMask& which, const LengthDistribution& distribution, PopulationShape& shape) {
+  const auto set = [&](auto& own) {
+    if constexpr (requires { own.sides; }) {
+      const auto* fixed = std::get_if<FixedValue>(&distribution);
+      for (std::size_t k = 0; k < which.size(); ++k)
+        if (which[k]) own.sides[k] = fixed ? fixed->value : 1.0;
+      if (!fixed) own.spreads.push_back({kSides, which, distribution});
+    }
+  };
+  std::visit(set, shape);
+}
+
+/// Every `period`-th side is drawn with the first.
+void tieSides(std::size_t period, const LengthDistribution& distribution, PopulationShape& shape) {
+  for (std::size_t first = 0; first < period; ++first) {
+    SideMask which{};
+    for (std::size_t k = first; k < which.size(); k += period) which[k] = true;
+    setSides(which, distribution, shape);
+  }
+}
+
+constexpr const char* kSidesHint =
+    "distances of faces 3 to 8 from the axis, 1 those of a regular prism: [1, 2, 1, 2, 1, 2] is a triangle";
+
+}  // namespace
+
+bool SideDistances::read(const Value& in, PopulationShape& out) const {
+  const toml::table* table = in.node.as_table();
+  if (table && (table->contains("twofold") || table->contains("threefold") || table->contains("sixfold"))) {
+    TiedSideKeys keys;
+    TableReader reader(*table, "the table of sides", in.complaints);
+    visitKeys(reader, keys);
+    if (!reader.rejectUnknown()) return false;
+    if (table->size() > 1) return in.reject("sides are tied in one way only", "leave one of the keys out");
+    if (keys.twofold) tieSides(3, *keys.twofold, out);
+    if (keys.threefold) tieSides(2, *keys.threefold, out);
+    if (keys.sixfold) tieSides(1, *keys.sixfold, out);
+    return keys.twofold || keys.threefold || keys.sixfold;
+  }
+  LengthDistribution one;
+  if (table) {
+    if (!Length{kSide}.read(in, one)) return false;
+    tieSides(6, one, out);
+    return true;
+  }
+  const toml::array* list = in.node.as_array();
+  if (!list || list->size() != std::tuple_size_v<Sides>)
+    return in.mustBe("six numbers or distributions, or one distribution for all", kSidesHint);
+  bool good = true;
+  for (std::size_t k = 0; k < list->size(); ++k) {
+    SideMask which{};
+    which[k] = true;
+    if (Length{kSide}.read({(*list)[k], in.key, in.complaints}, one))
+      setSides(which, one, out);
+    else
+      good = false;
+  }
+  return good;
+}
+
+Json SideDistances::schema() const {
+  const Json side = Length{kSide}.schema();
+  return {{"anyOf", {listOf(side, std::tuple_size_v<Sides>), side["anyOf"][1], tableSchema<TiedSideKeys>()}}};
+}
+
+bool Miller::read(const Value& in, std::array<int, 2>& out) const {
+  const auto numbers = numbersIn(in, 4, {-kLargestMiller, kLargestMiller});
+  const auto isIndex = [](double x) { return x >= 1.0 && x == std::floor(x); };
+  if (!numbers || !isIndex((*numbers)[0]) || (*numbers)[1] != 0.0 || (*numbers)[2] != -(*numbers)[0] ||
+      !isIndex((*numbers)[3]))
+    return in.mustBe("the Miller indices [h, 0, -h, l] with h and l integers from 1 to 99",
+                     "the usual pyramid is [1, 0, -1, 1]");
+  out = {static_cast<int>((*numbers)[0]), static_cast<int>((*numbers)[3])};
+  return true;
+}
+
+Json Miller::schema() const { return listOf({{"type", "integer"}}, 4); }
+
+bool PyramidEnd::read(const Value& in, PopulationShape& out) const {
+  using What = ShapeLength;
+  PyramidEndKeys keys;
+  const toml::table* table = in.node.as_table();
+  if (table && !isDistribution(*table)) {
+    TableReader reader(*table, std::string("the pyramid's '").append(in.key) + "'", in.complaints);
+    visitKeys(reader, keys);
+    if (!reader.rejectUnknown() || reader.rejected("height") || reader.rejected("slope") || reader.rejected("miller"))
+      return false;
+    if (keys.slope && keys.miller) {
+      reader.reject("miller", "'miller' says what 'slope' says, too", "leave one of them out");
+      return false;
+    }
+    if (keys.miller) keys.slope = FixedValue{slopeOfMiller((*keys.miller)[0], (*keys.miller)[1])};
+  } else if (in.isNumber() || table) {
+    if (!Length{kHeight}.read(in, keys.height)) return false;
+  } else {
+    return in.mustBe("a number " + kHeight.text() + ", a distribution or a table",
+                     "its height as a share of its full height: 0.5, or { miller = [1, 0, -1, 1], height = 0.5 }");
+  }
+  if (auto* pyramid = std::get_if<PyramidSettings>(&out)) {
+    setLength(*pyramid, isUpper ? &PyramidSettings::upper : &PyramidSettings::lower,
+              {isUpper ? What::upper : What::lower, {}, keys.height});
+    if (keys.slope)
+      setLength(*pyramid, isUpper ? &PyramidSettings::upperSlope : &PyramidSettings::lowerSlope,
+                {isUpper ? What::upperSlope : What::lowerSlope, {}, *keys.slope});
+  }
+  return true;
+}
+
+Json PyramidEnd::schema() const {
+  const Json height = Length{kHeight}.schema();
+  return {{"anyOf", {height["anyOf"][0], height["anyOf"][1], tableSchema<PyramidEndKeys>()}}};
+}
+
+bool PyramidSlope::read(const Value& in, PopulationShape& out) const {
+  LengthDistribution slope;
+  if (!Length{kSlopeDegrees, true}.read(in, slope)) return false;
+  if (auto* pyramid = std::get_if<PyramidSettings>(&out))
+    setLength(*pyramid, &PyramidSettings::slope, {ShapeLength::slope, {}, slope});
+  return true;
+}
+
+Json PyramidSlope::schema() const { return Length{kSlopeDegrees, true}.schema(); }
+
+bool Direction::read(const Value& in, Vec3& out) const {
+  const auto numbers = numbersIn(in, 3, {-1e6, 1e6});
+  const double length = numbers ? std::hypot((*numbers)[0], (*numbers)[1], (*numbers)[2]) : 0.0;
+  if (!(length > 0.0))
+    return in.mustBe("a direction [x, y, z], three numbers of which one at least is not 0",
+                     "z is along the c axis, x through the middle of face 3");
+  out = Vec3((*numbers)[0] / length, (*numbers)[1] / length, (*numbers)[2] / length);
+  return true;
+}
+
+Json Direction::schema() const { return listOf({{"type", "number"}}, 3); }
+
+bool PlaneList::read(const Value& in, std::vector<FacePlane>& out) const {
+  const toml::array* list = in.node.as_array();
+  if (!list || list->empty())
+    return in.mustBe("a list of planes", "each is a table: { normal = [0, 0, 1], distance = 1, face = 1 }");
+  out.clear();
+  std::set<int> faces;
+  bool good = true;
+  for (const toml::node& node : *list) {
+    const Value one{node, in.key, in.complaints};
+    const toml::table* table = node.as_table();
+    if (!table) return one.mustBe("a list of tables", "{ normal = [0, 0, 1], distance = 1, face = 1 }");
+    TableReader reader(*table, "a plane", in.complaints);
+    PlaneKeys keys;
+    visitKeys(reader, keys);
+    good &= reader.rejectUnknown() && !reader.rejected("distance") && !reader.rejected("face");
+    if (!keys.normal) {
+      if (!reader.has("normal")) one.reject("a plane needs a 'normal', the direction that it faces");
+      good = false;
+      continue;
+    }
+    const int number = keys.face.value_or(static_cast<int>(out.size()) + 1);
+    if (!faces.insert(number).second) {
+      const std::string message = "two planes are face " + std::to_string(number);
+      good = false;
+      if (reader.has("face"))
+        reader.reject("face", message);
+      else
+        one.reject(message, "planes without a 'face' are counted from 1");
+    }
+    out.push_back({number, *keys.normal, keys.distance});
+  }
+  return good;
+}
+
+Json PlaneList::schema() const {
+  Json plane = tableSchema<PlaneKeys>();
+  plane["required"] = {"normal"};
+  return {{"type", "array"}, {"minItems", 1}, {"items", plane}};
+}
+
+}  // namespace kinds
+
+}  // namespace parhelion
