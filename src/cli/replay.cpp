@@ -40,10 +40,11 @@ nlohmann::ordered_json facesJson(const Crystal& crystal) {
   return json;
 }
 
-/// "3-1-5": the faces met up to encounter `order`.
-std::string raypath(const LightPath& path, int order) {
+/// "3-1-5": the faces met up to an encounter.
+std::string raypath(const LightPath& path, int encounter) {
   std::string faces;
-  for (int k = 0; k <= order; ++k) faces += (k ? "-" : "") + std::to_string(path.encounters[k].faceNumber);
+  for (int k = encounter; k >= 0; k = path.encounters[k].before)
+    faces = std::to_string(path.encounters[k].faceNumber) + (faces.empty() ? "" : "-") + faces;
   return faces;
 }
 
@@ -85,7 +86,7 @@ nlohmann::ordered_json pathJson(const LightPath& path, const std::string& popula
   json["exits"] = nlohmann::ordered_json::array();
   for (const Exit& exit : path.exits) {
     nlohmann::ordered_json out = sky(exit.lightDirWorld);
-    out["raypath"] = raypath(path, exit.order);
+    out["raypath"] = raypath(path, exit.encounter);
     out["weight"] = exit.energy;
     out["undeviated"] = exit.undeviated;
     json["exits"].push_back(out);
@@ -97,17 +98,18 @@ void printPath(const LightPath& path, const std::string& population) {
   const IncidentRay& ray = path.incident;
   answer("# ray %llu: population '%s', %.3f nm, n = %.6f", static_cast<unsigned long long>(ray.index),
          population.c_str(), ray.light.wavelength, ray.iceIndex);
-  auto exit = path.exits.begin();
-  for (const Encounter& hit : path.encounters) {
+  for (int k = 0; k < static_cast<int>(path.encounters.size()); ++k) {
+    const Encounter& hit = path.encounters[k];
+    // What is outside after a hit may meet a crystal that is not convex again.
+    const auto exit = std::ranges::find(path.exits, k, &Exit::encounter);
     const Vec3& dir = hit.energyStaying > 0.0 ? hit.stayingDir : hit.leavingDir;
     std::string leaves;
-    if (hit.energyLeaving > 0.0 && exit != path.exits.end()) {
+    if (exit != path.exits.end()) {
       const SkyPoint point = skyPoint(-exit->lightDirWorld);
       char to[80];
       std::snprintf(to, sizeof to, " to azimuth %.4f elevation %.4f by ", degrees(point.azimuth),
                     degrees(point.elevation));
-      leaves = to + raypath(path, hit.order) + (exit->undeviated ? " (undeviated)" : "");
-      ++exit;
+      leaves = to + raypath(path, k) + (exit->undeviated ? " (undeviated)" : "");
     }
     answer("hit %d face %d at (%.6f, %.6f, %.6f) then (%.6f, %.6f, %.6f) leaving %.6g%s", hit.order, hit.faceNumber,
            hit.point.x, hit.point.y, hit.point.z, dir.x, dir.y, dir.z, hit.energyLeaving, leaves.c_str());
@@ -127,25 +129,26 @@ CrystalDrawing drawingOf(const LightPath& path, const std::string& population) {
     drawing.vertices.push_back(world(stretched));
     radius = std::max(radius, std::hypot(stretched.x, stretched.y, stretched.z));
   }
-  for (const Face& face : mesh.faces()) drawing.faces.push_back({face.number, face.vertices, world(face.normal)});
-  const Encounter* before = nullptr;
+  for (const Face& face : mesh.faces())
+    for (const std::vector<int>& ring : outlinesOf(face))
+      if (!ring.empty()) drawing.faces.push_back({face.number, ring, world(face.normal)});
   for (const Encounter& hit : path.encounters) {
+    const Encounter* before = hit.before < 0 ? nullptr : &path.encounters[static_cast<std::size_t>(hit.before)];
     const Vec3 here = world(hit.point);
     const double energy = (hit.energyLeaving + hit.energyStaying) / ray.weight;
-    if (energy < kLeast) break;
+    if (energy < kLeast) continue;
     const Vec3 from = before ? world(before->point) : here - radius * ray.lightDirWorld;
     drawing.light.push_back({from, here, energy, before == nullptr});
     if (hit.energyLeaving >= kLeast * ray.weight)
       drawing.light.push_back(
           {here, here + 0.8 * radius * world(hit.leavingDir), hit.energyLeaving / ray.weight, true});
-    before = &hit;
   }
   const auto brightest = std::ranges::max_element(path.exits, {}, &Exit::energy);
-  const int order = brightest == path.exits.end() ? 0 : brightest->order;
+  const int last = brightest == path.exits.end() ? 0 : brightest->encounter;
   char light[60];
   std::snprintf(light, sizeof light, ", %.0f nm, n = %.4f: ", ray.light.wavelength, ray.iceIndex);
   drawing.caption =
-      "ray " + std::to_string(ray.index) + " of " + population + light + "most light by " + raypath(path, order);
+      "ray " + std::to_string(ray.index) + " of " + population + light + "most light by " + raypath(path, last);
   return drawing;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -24,6 +25,26 @@ constexpr double kPlanarity = 1e-12;
 
 }  // namespace
 
+std::vector<std::vector<int>> outlinesOf(const Face& face) {
+  if (face.triangles.empty()) return {face.vertices};
+  std::set<std::pair<int, int>> edges;
+  for (const auto& [a, b, c] : face.triangles) edges.insert({{a, b}, {b, c}, {c, a}});
+  std::multimap<int, int> next;
+  for (const auto& [a, b] : edges)
+    if (!edges.contains({b, a})) next.emplace(a, b);
+  std::vector<std::vector<int>> rings;
+  while (!next.empty()) {
+    rings.emplace_back();
+    for (auto edge = next.begin(); edge != next.end();) {
+      const auto [from, to] = *edge;
+      rings.back().push_back(from);
+      next.erase(edge);
+      edge = next.find(to);
+    }
+  }
+  return rings;
+}
+
 CrystalMesh::CrystalMesh(std::vector<Vec3> vertices, const std::vector<FaceOutline>& outlines)
     : vertices_(std::move(vertices)) {
   if (outlines.size() > kMaxFaces) throw std::invalid_argument("a crystal may have at most 32 faces");
@@ -33,11 +54,28 @@ CrystalMesh::CrystalMesh(std::vector<Vec3> vertices, const std::vector<FaceOutli
   }
   for (const FaceOutline& outline : outlines) faces_.push_back(makeFace(outline));
   checkClosed();
+  addUp();
+  for (const Face& face : faces_)
+    for (const Vec3& v : vertices_) convex_ &= glm::dot(face.normal, v) <= face.offset + kPlanarity * radius_;
+}
 
+CrystalMesh::CrystalMesh(std::vector<Vec3> vertices, std::span<const FaceTriangles> faces)
+    : vertices_(std::move(vertices)), convex_(false) {
+  for (const Vec3& v : vertices_) radius_ = std::max(radius_, glm::length(v));
+  for (const auto& [number, normal, offset, triangles] : faces) {
+    double area = 0.0;
+    for (const auto& [a, b, c] : triangles)
+      area += 0.5 * glm::length(glm::cross(vertices_[b] - vertices_[a], vertices_[c] - vertices_[a]));
+    faces_.push_back({number, {}, normal, offset, area, {}, triangles});
+  }
+  addUp();
+}
+
+/// Surface and volume from the faces.
+void CrystalMesh::addUp() {
   for (const Face& face : faces_) {
     (face.normal.z == 0.0 ? surfaceAlongC_ : surfaceAcrossC_) += face.area;
     volume_ += face.area * face.offset / 3.0;
-    for (const Vec3& v : vertices_) convex_ &= glm::dot(face.normal, v) <= face.offset + kPlanarity * radius_;
     const double alongC = std::abs(face.normal.z);
     prismatic_ &= alongC == 0.0 || alongC == 1.0;
   }

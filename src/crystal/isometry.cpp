@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
@@ -13,6 +15,38 @@ namespace {
 // Faces count as the same if neither their normals nor their distances from the centre (as a share of the crystal's
 // radius) differ by more than rounding makes of them.
 constexpr double kSamePlane = 1e-9;
+
+/// Where an isometry takes the vertices of a mesh; none where there is no vertex.
+std::optional<std::vector<int>> vertexImages(const CrystalMesh& mesh, const Isometry& isometry) {
+  std::vector<int> images;
+  for (const Vec3& vertex : mesh.vertices()) {
+    const Vec3 image = isometry(vertex);
+    const auto found = std::ranges::find_if(
+        mesh.vertices(), [&](const Vec3& v) { return glm::length(v - image) < kSamePlane * mesh.radius(); });
+    if (found == mesh.vertices().end()) return std::nullopt;
+    images.push_back(static_cast<int>(found - mesh.vertices().begin()));
+  }
+  return images;
+}
+
+/// Whether an isometry takes the edges of all faces to those of their images: planes do not say what of them is face
+/// where crystals are not convex.
+bool keepsEdges(const CrystalMesh& mesh, const Isometry& isometry, const std::vector<int>& images) {
+  const auto vertices = vertexImages(mesh, isometry);
+  if (!vertices) return false;
+  const auto edgesOf = [](const Face& face, const auto& place) {
+    std::set<std::pair<int, int>> edges;
+    for (const std::vector<int>& ring : outlinesOf(face))
+      for (std::size_t i = 0; i < ring.size(); ++i)
+        edges.insert(std::minmax({place(ring[i]), place(ring[(i + 1) % ring.size()])}));
+    return edges;
+  };
+  for (std::size_t f = 0; f < images.size(); ++f)
+    if (edgesOf(mesh.faces()[f], [&](int v) { return (*vertices)[static_cast<std::size_t>(v)]; }) !=
+        edgesOf(mesh.faces()[static_cast<std::size_t>(images[f])], [](int v) { return v; }))
+      return false;
+  return true;
+}
 
 }  // namespace
 
@@ -47,6 +81,7 @@ std::optional<std::vector<int>> faceImages(const CrystalMesh& mesh, const Isomet
     taken[index] = true;
     images.push_back(static_cast<int>(index));
   }
+  if (!mesh.isConvex() && !keepsEdges(mesh, isometry, images)) return std::nullopt;
   return images;
 }
 

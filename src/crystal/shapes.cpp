@@ -2,7 +2,6 @@
 #include "crystal/shapes.h"
 
 #include "crystal/isometry.h"
-#include "math/overloaded.h"
 
 namespace parhelion {
 
@@ -44,6 +43,7 @@ void set(const ShapeSpread& spread, double value, PyramidSettings& pyramid) {
 }
 
 void set(const ShapeSpread&, double, PlanesSettings&) {}
+void set(const ShapeSpread&, double, MeshSettings&) {}
 
 }  // namespace
 
@@ -69,9 +69,14 @@ bool hasHalfTurn(const ShapeSettings& shape) {
 }
 
 std::span<const ShapeSpread> spreadsOf(const ShapeSettings& shape) {
-  return std::visit(Overloaded{[](const PlanesSettings&) { return std::span<const ShapeSpread>(); },
-                               [](const auto& own) { return std::span<const ShapeSpread>(own.spreads); }},
-                    shape);
+  return std::visit(
+      [](const auto& own) {
+        if constexpr (requires { own.spreads; })
+          return std::span<const ShapeSpread>(own.spreads);
+        else
+          return std::span<const ShapeSpread>();
+      },
+      shape);
 }
 
 }  // namespace parhelion

@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "crystal/shape_spread.h"
+#include "crystal/shapes/mesh.h"
 #include "crystal/shapes/planes.h"
 #include "crystal/shapes/prism.h"
 #include "crystal/shapes/pyramid.h"
@@ -15,10 +16,9 @@ namespace parhelion {
 ///
 ///   CrystalMesh meshOf(const Settings&)                            at its only stretch, or at 1 to be stretched
 ///   std::optional<AngleDistribution> stretchOf(const Settings&)    along c; empty when all crystals are alike
-///   bool isHexagonal(const Settings&)                              has all turns and mirrors about c of a regular
-///   prism bool hasEndsAlike(const Settings&)                             of such: its own mirror image in the plane
-///   across c
-using ShapeSettings = std::variant<PrismSettings, PyramidSettings, PlanesSettings>;
+///   bool isHexagonal(const Settings&)                              all turns and mirrors of a regular prism about c
+///   bool hasEndsAlike(const Settings&)                             of such: its own mirror image in the plane across c
+using ShapeSettings = std::variant<PrismSettings, PyramidSettings, PlanesSettings, MeshSettings>;
 
 /// A shape with all that is spread set to the values below which the fractions `u` of what is drawn lie. `samplers` and
 /// `u` are by the shape's spreads.

@@ -38,8 +38,9 @@ inline constexpr std::uint32_t kMostPngChunks = 16;
 inline constexpr std::uint64_t kMostDeflated = 1032;  // deflate packs no tighter: 258 bytes by two codes of one bit
 
 // EXR.
-// A part costs some kilobytes in memory, and its table of scan lines must be in the file. A tally has one for each number
-// of a pixel and of a ring: 24 where its populations have all three symmetries, and as many for each of 65 layers.
+// A part costs some kilobytes in memory, and its table of scan lines must be in the file. A tally has one for each
+// number of a pixel and of a ring: 24 where its populations have all three symmetries, and as many for each of 65
+// layers.
 inline constexpr int kMostExrParts = 2048;
 inline constexpr int kMostExrChannels = 4096;
 inline constexpr std::uint64_t kMostExrDeflated = 1100;  // deflate, the tightest of the lossless codecs, with a reserve
@@ -47,6 +48,8 @@ inline constexpr std::uint64_t kDwaBlock = 64;  // samples, of which DWA deflate
 
 // Scenes and other texts.
 inline constexpr std::size_t kMostSceneBytes = 1 << 20;       // no scene comes near; a wrong file often does
+inline constexpr std::size_t kMostMeshBytes = 1 << 22;        // the OBJ of a crystal; 10,000 vertices take a tenth
+inline constexpr std::size_t kMostMeshesInScene = 900'000;    // bytes of all OBJs, which become part of the scene
 inline constexpr std::size_t kMostNesting = 16;               // brackets and dots; a scene needs four
 inline constexpr std::uintmax_t kMostOwnJsonBytes = 1 << 20;  // JSON that commands write stays far below
 

@@ -137,6 +137,7 @@ std::string objectionTo(const PopulationSettings& population, bool inProfile) {
   constexpr double kSixth = kPi / 3.0, kTurn = 2.0 * kPi;
   const auto* prism = std::get_if<PrismSettings>(&population.shape);
   if (!prism) return "has crystals that are no prisms";
+  if (prism->isHollow()) return "has hollow crystals";
   if (!isHexagonal(*prism)) return "has crystals that are no regular prisms";
   if (std::holds_alternative<RandomOrientation>(population.orientation)) return {};
   if (inProfile) return "is not randomly oriented, and has another profile for each place of the sun";

@@ -100,6 +100,20 @@ class ShapeWords {
     };
     std::visit(tell, shape);
   }
+  void key(std::string_view, const kinds::CavityTable& kind, const PopulationShape& shape, std::string_view) {
+    const auto* prism = std::get_if<PrismSettings>(&shape);
+    if (!prism || (kind.upper && kind.lower)) return;
+    const Cavity& cavity = kind.upper ? prism->upperCavity : prism->lowerCavity;
+    if (cavity.isThere())
+      text_ += std::string(kind.upper ? ", upper" : ", lower") + " pit " + plain(cavity.depth) + " deep, " +
+               plain(cavity.width) + " wide";
+  }
+  void key(std::string_view, const kinds::Mesh&, const PopulationShape& shape, std::string_view) {
+    const auto* mesh = std::get_if<MeshSettings>(&shape);
+    if (!mesh || !mesh->crystal) return;
+    text_ += ", " + std::to_string(mesh->crystal->faces().size()) + " faces" +
+             (mesh->crystal->isConvex() ? "" : ", not convex");
+  }
   const std::string& text() const { return text_; }
 
  private:

@@ -14,6 +14,7 @@
 #include "picture/file_reason.h"
 #include "picture/limits.h"
 #include "scene/layer_checks.h"
+#include "scene/mesh_files.h"
 #include "scene/overrides.h"
 #include "scene/phase_files.h"
 #include "scene/scene_keys.h"
@@ -67,6 +68,27 @@ void pointFromSun(const toml::table& root, Scene& scene, Complaints& complaints)
                  "give [sun] a date with latitude and longitude, or an azimuth beside its elevation");
 }
 
+/// Complains about what crystals that are not convex cannot do.
+void checkConcave(const toml::table& root, const Scene& scene, Complaints& complaints) {
+  const auto isConvex = [](const PopulationSettings& population) {
+    try {
+      return meshOf(typicalShape(population.shape)).isConvex();
+    } catch (const std::invalid_argument&) {
+      return true;  // of which has been complained
+    }
+  };
+  const auto* odd = firstWithout(isConvex, scene.populations);
+  if (!odd) return;
+  const toml::node* engine = root["trace"]["engine"].node();
+  if (engine && scene.trace.engine == Engine::planes)
+    complaints.add(placeOf(engine->source(), complaints),
+                   "the planes follow light in convex crystals of up to 32 faces, not in those of '" + odd->name + "'",
+                   "leave 'engine' out, and Embree follows it");
+  if (const toml::node* cloud = root["cloud"].node(); cloud && scene.cloud)
+    complaints.add(placeOf(cloud->source(), complaints),
+                   "a [cloud] has convex crystals alone, which those of '" + odd->name + "' are not");
+}
+
 /// Complains about light that is not the sun's where the air scatters it.
 void checkAir(const toml::table& root, const Scene& scene, Complaints& complaints) {
   const toml::node* node = root["sun"]["spectrum"].node();
@@ -87,6 +109,7 @@ Scene readScene(const toml::table& root, Complaints& complaints) {
   pointFromSun(root, scene, complaints);
   checkSymmetry(root, scene, complaints);
   checkAir(root, scene, complaints);
+  checkConcave(root, scene, complaints);
   addLayerPerPopulation(root, scene, complaints);
   checkLayers(root, scene, complaints);
   return scene;
@@ -139,10 +162,11 @@ LoadedScene parseScene(std::string_view text, std::string_view fileName, std::sp
   complaints.addText(fileName, body);
   toml::table root = parseToml(body, fileName, complaints);
   for (const SceneOverride& override : overrides) applyOverride(root, override, complaints);
-  const bool hasFiles = readPhaseFiles(root, std::filesystem::path(fileName).parent_path(), complaints);
+  const std::filesystem::path folder = std::filesystem::path(fileName).parent_path();
+  const bool hasPhases = readPhaseFiles(root, folder, complaints), hasMeshes = readMeshFiles(root, folder, complaints);
   const Scene scene = readScene(root, complaints);
   complaints.throwIfAny();
-  return {scene, overrides.empty() && !hasFiles ? std::string(text) : serialised(root)};
+  return {scene, overrides.empty() && !hasPhases && !hasMeshes ? std::string(text) : serialised(root)};
 }
 
 }  // namespace parhelion

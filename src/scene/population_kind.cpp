@@ -74,7 +74,8 @@ void checkShape(TableReader& reader, const PopulationKeys& keys) {
     if (!reader.has(key)) continue;
     reader.reject(key, oneOf(keys.shape) + " has no '" + std::string(key) + "'", "it needs shape = " + shapesWith(key));
   }
-  for (const std::string_view key : {"aspect", "sides", "upper", "lower", "slope", "planes"})
+  for (const std::string_view key :
+       {"aspect", "sides", "upper", "lower", "slope", "planes", "mesh", "cavity", "upper_cavity", "lower_cavity"})
     if (reader.rejected(key)) return;
   if (const auto* pyramid = std::get_if<PyramidSettings>(&keys.shape)) checkLength(reader, *pyramid);
   const auto* haze = std::get_if<HazeWords>(&keys.shape);
@@ -84,13 +85,18 @@ void checkShape(TableReader& reader, const PopulationKeys& keys) {
   if (const auto* own = std::get_if<PlanesSettings>(&keys.shape); own && own->planes.empty())
     return reader.reject("shape", "a crystal of planes needs 'planes'",
                          "planes = [{ normal = [0, 0, 1], distance = 1 }, …]");
+  if (const auto* own = std::get_if<MeshSettings>(&keys.shape); own && !own->crystal)
+    return reader.reject("shape", "a crystal of this shape needs a 'mesh'", "mesh = \"crystal.obj\"");
   const auto crystal = crystalOf(keys.shape);
-  const bool isCut = reader.has("sides") || reader.has("planes") || (crystal && !spreadsOf(*crystal).empty());
+  const auto* prism = std::get_if<PrismSettings>(&keys.shape);
+  const bool isCut = (prism && prism->isHollow()) || reader.has("sides") || reader.has("planes") ||
+                     (crystal && !spreadsOf(*crystal).empty());
   if (!crystal || !isCut) return;
   try {
     static_cast<void>(meshOf(typicalShape(*crystal)));
   } catch (const std::invalid_argument& error) {
-    for (const std::string_view key : {"sides", "planes", "upper", "lower", "slope", "aspect"})
+    for (const std::string_view key :
+         {"cavity", "upper_cavity", "lower_cavity", "sides", "planes", "upper", "lower", "slope", "aspect"})
       if (reader.has(key)) return reader.reject(key, error.what());
   }
 }

@@ -129,6 +129,13 @@ void visitKeys(Visitor& v, TiedSideKeys& sides) {
 }
 
 template <class Visitor>
+void visitKeys(Visitor& v, Cavity& cavity) {
+  v.key("depth", kinds::Number{{0, 2, false, true}}, cavity.depth,
+        "Of the pit, as a share of half the prism's length: those of both ends add up to less than 2.");
+  v.key("width", kinds::Number{{0, 1, true, true}}, cavity.width, "Of its rim, as a share of the prism's hexagon.");
+}
+
+template <class Visitor>
 void visitKeys(Visitor& v, PlaneKeys& plane) {
   v.key("normal", kinds::Optional{kinds::Direction{}}, plane.normal,
         "Direction that the face looks to, of any length: z along the c axis, x through the middle of a prism's face "
@@ -156,7 +163,7 @@ void visitKeys(Visitor& v, PopulationKeys& p) {
         "Share of all crystal surface in the cloud; the shares need not add up to 1.");
   v.key("shape", kinds::Choice<PopulationShape>{}, p.shape,
         "\"prism\": hexagonal prism, a plate or a column by its aspect; \"pyramid\": with pyramids on its ends; "
-        "\"planes\": any convex crystal, by the planes of its faces; "
+        "\"planes\": any convex crystal, by the planes of its faces; \"mesh\": a closed mesh from an OBJ file; "
         "\"haze\": irregular crystals, which scatter by a phase function.");
   v.key(
       "aspect", kinds::Aspect{}, p.shape,
@@ -177,6 +184,13 @@ void visitKeys(Visitor& v, PopulationKeys& p) {
         "distribution.");
   v.key("planes", kinds::MemberOf(kinds::PlaneList{}, &PlanesSettings::planes), p.shape,
         "Any convex crystal: the planes of its faces.");
+  v.key("cavity", kinds::CavityTable{true, true}, p.shape,
+        "Prisms with a fixed aspect and regular sides: a hexagonal pit in both ends, { depth = 0.4, width = 0.8 }.");
+  v.key("upper_cavity", kinds::CavityTable{true, false}, p.shape, "The same of the upper end alone.");
+  v.key("lower_cavity", kinds::CavityTable{false, true}, p.shape, "The same of the lower end alone.");
+  v.key("mesh", kinds::Mesh{}, p.shape,
+        "Meshes: an OBJ file beside the scene, of closed surfaces of any polygons; z is along the c axis. Polygons in "
+        "one plane are one face, whose number may be the name of its group.");
   v.key("g", kinds::MemberOf(kinds::Optional{kinds::Number{{-1, 1, true, true}}}, &HazeWords::g), p.shape,
         "Haze: mean cosine of the angle of scattering, of Henyey and Greenstein's phase function; 0.75 when left out.");
   v.key("phase", kinds::Optional{kinds::Phase{}}, p.phase,

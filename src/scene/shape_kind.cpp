@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
+#include <memory>
 #include <set>
+#include <stdexcept>
 #include <string>
 
 #include "scene/scene_keys.h"
@@ -169,6 +171,38 @@ bool PyramidSlope::read(const Value& in, PopulationShape& out) const {
 }
 
 Json PyramidSlope::schema() const { return Length{kSlopeDegrees, true}.schema(); }
+
+bool CavityTable::read(const Value& in, PopulationShape& out) const {
+  const toml::table* table = in.node.as_table();
+  if (!table) return in.mustBe("a table", "a pit in the end of a prism: { depth = 0.4, width = 0.8 }");
+  Cavity cavity;
+  TableReader reader(*table, std::string("the prism's '").append(in.key) + "'", in.complaints);
+  visitKeys(reader, cavity);
+  if (!reader.rejectUnknown() || reader.rejected("depth") || reader.rejected("width")) return false;
+  if (!reader.has("depth")) return in.reject("a pit needs a 'depth', its share of half the prism's length");
+  if (auto* prism = std::get_if<PrismSettings>(&out)) {
+    if (upper) prism->upperCavity = cavity;
+    if (lower) prism->lowerCavity = cavity;
+  }
+  return true;
+}
+
+bool Mesh::read(const Value& in, PopulationShape& out) const {
+  const auto text = in.string();
+  if (!text || text->find('\n') == std::string::npos)
+    return in.mustBe("the name of an OBJ file", "mesh = \"crystal.obj\"; it is looked for beside the scene");
+  try {
+    const ObjMesh obj = readObj(*text);
+    auto crystal = std::make_shared<const CrystalMesh>(meshFromObj(obj));
+    if (auto* mesh = std::get_if<MeshSettings>(&out)) *mesh = {objText(obj), std::move(crystal)};
+    return true;
+  } catch (const ObjError& error) {
+    return in.reject((error.line() > 0 ? "line " + std::to_string(error.line()) + " of the OBJ: " : "the OBJ: ") +
+                     error.what());
+  } catch (const std::invalid_argument& error) {
+    return in.reject(std::string("the OBJ: ") + error.what());
+  }
+}
 
 bool Direction::read(const Value& in, Vec3& out) const {
   const auto numbers = numbersIn(in, 3, {-1e6, 1e6});

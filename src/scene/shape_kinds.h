@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "scene/distribution_kinds.h"
+#include "scene/schema_writer.h"
 
 namespace parhelion {
 
@@ -66,6 +67,24 @@ struct PyramidSlope {
   Json schema() const;
   Json write(const PopulationShape&) const { return roundToTwelveDigits(degrees(PyramidSettings{}.slope)); }
   bool isOf(const PopulationShape& chosen) const { return std::holds_alternative<PyramidSettings>(chosen); }
+};
+
+/// A pit in one end of a prism or in both: a table.
+struct CavityTable {
+  bool upper, lower;
+
+  bool read(const Value& in, PopulationShape& out) const;
+  Json schema() const { return tableSchema<Cavity>(); }
+  Json write(const PopulationShape&) const { return {}; }
+  bool isOf(const PopulationShape& chosen) const { return std::holds_alternative<PrismSettings>(chosen); }
+};
+
+/// An OBJ in full: a string of more than one line (mesh_files.h puts it in the place of a file's name).
+struct Mesh {
+  bool read(const Value& in, PopulationShape& out) const;
+  Json schema() const { return {{"type", "string"}, {"minLength", 1}}; }
+  Json write(const PopulationShape&) const { return {}; }
+  bool isOf(const PopulationShape& chosen) const { return std::holds_alternative<MeshSettings>(chosen); }
 };
 
 /// A direction [x, y, z] of any length.

@@ -139,10 +139,13 @@ class KeyLister {
   }
 
   void crystal(const PrismSettings& own) {
-    const auto& [aspect, ownSides, ownSpreads] = own;
+    const auto& [aspect, ownSides, ownSpreads, upperCavity, lowerCavity] = own;
     put("aspect", textOf(aspect));
     sides(ownSides);
     spreads(ownSpreads);
+    if (!own.isHollow()) return;  // so that scenes without pits keep their hash
+    put("upper.cavity", digitsOf({upperCavity.depth, upperCavity.width}));
+    put("lower.cavity", digitsOf({lowerCavity.depth, lowerCavity.width}));
   }
   void crystal(const PyramidSettings& own) {
     const auto& [aspect, upper, lower, slope, upperSlope, lowerSlope, ownSides, ownSpreads] = own;
@@ -159,6 +162,12 @@ class KeyLister {
     for (const auto& [number, normal, distance] : own.planes)
       put("plane", std::to_string(number) + " " + digitsOf(normal.x) + " " + digitsOf(normal.y) + " " +
                        digitsOf(normal.z) + " " + digitsOf(distance));
+  }
+
+  void crystal(const MeshSettings& own) {
+    Checksum content;
+    content.add(own.obj);
+    put("mesh", std::to_string(content.value()));
   }
 
   void spreads(const std::vector<ShapeSpread>& own) {

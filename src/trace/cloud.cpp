@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <numeric>
+#include <optional>
 #include <stdexcept>
 
+#include "trace/concave_entry.h"
 #include "trace/drawn_crystal.h"
 #include "trace/lane_steps.h"
 
@@ -23,9 +25,11 @@ double goldenQuantile(std::uint64_t seed, std::uint64_t bundle) {
 // A wave's rays: enough that making a crystal costs little beside them.
 constexpr int kRaysPerShape = 1024;
 
-/// Interceptions of so many crystals of one population, from crystal `first` on.
-std::vector<double> pilotInterceptions(const IncidenceTable& table, int population, std::uint64_t first, int count) {
-  std::vector<std::uint64_t> bundles(count + RayQueue::kSpare), rejected(RayQueue::kSpare);
+/// Interceptions of so many crystals of one population, from crystal `first` on: of those that are not convex only the
+/// ones of which a point was found that light meets first.
+std::vector<double> pilotInterceptions(const IncidenceTable& table, const ConcaveCrystal* concave, int population,
+                                       std::uint64_t first, int count) {
+  std::vector<std::uint64_t> bundles(count + RayQueue::kSpare), rejected(count + RayQueue::kSpare);
   std::iota(bundles.begin(), bundles.end(), first);
   RayQueue queue(1);
   queue.makeRoom(count);
@@ -34,9 +38,12 @@ std::vector<double> pilotInterceptions(const IncidenceTable& table, int populati
     Proposals proposals{&bundles[i], std::min(IncidenceNumbers::kRoom, count - i), rejected.data(), 0};
     laneSteps().draw(static_cast<std::uint64_t>(population), RandomPurpose::pilot, proposals.bundle, proposals.count, 0,
                      kIncidenceNumbers / 2, numbers);
-    laneSteps().propose(table, numbers, proposals, queue);
+    if (concave)
+      proposeConcave(*concave, table, numbers, proposals, queue);
+    else
+      laneSteps().propose(table, numbers, proposals, queue);
   }
-  return {queue.weight.begin(), queue.weight.begin() + count};
+  return {queue.weight.begin(), queue.weight.begin() + queue.count};
 }
 
 /// The same where shapes are spread: of so many shapes.
@@ -47,7 +54,7 @@ std::vector<double> spreadInterceptions(IncidenceTable table, const Population& 
     const DrawnCrystal drawn(crystals, 0, shape);
     table.faces = &drawn.faces;
     const int some = count / kShapes;
-    const std::vector<double> own = pilotInterceptions(table, population, std::uint64_t(shape) * some, some);
+    const std::vector<double> own = pilotInterceptions(table, nullptr, population, std::uint64_t(shape) * some, some);
     all.insert(all.end(), own.begin(), own.end());
   }
   return all;
@@ -64,7 +71,14 @@ Cloud::Cloud(const SunSettings& sun, const IceSettings& ice, std::span<const Pop
       populations_(populations.begin(), populations.end()),
       favours_(std::move(favours)) {
   if (favours_.empty()) favours_.assign(populations_.size(), 1.0);
-  for (const Population& population : populations_) faces_.emplace_back(population.mesh());
+  std::optional<EmbreeDevice> embree;
+  for (const Population& population : populations_) {
+    faces_.emplace_back(population.mesh());
+    concave_.emplace_back();
+    if (population.mesh().isConvex()) continue;
+    if (!embree) embree.emplace();
+    concave_.back() = std::make_unique<ConcaveCrystal>(*embree, population.mesh());
+  }
   // Any bound gives the right distribution; one that the pilot sample never exceeds wastes few proposals and leaves
   // nearly all rays with weight 1. Where no crystal is rejected, the mean makes weights that are 1 on average.
   constexpr int kPilot = 4096;
@@ -74,8 +88,8 @@ Cloud::Cloud(const SunSettings& sun, const IceSettings& ice, std::span<const Pop
     table.bound = 1.0;  // so that weights are interceptions
     const bool isSpread = populations_[p].isSpread();
     hasSpreadShapes_ |= isSpread;
-    const std::vector<double> pilot =
-        isSpread ? spreadInterceptions(table, populations_[p], p, kPilot) : pilotInterceptions(table, p, 0, kPilot);
+    const std::vector<double> pilot = isSpread ? spreadInterceptions(table, populations_[p], p, kPilot)
+                                               : pilotInterceptions(table, concave(p), p, 0, kPilot);
     mean.push_back(std::accumulate(pilot.begin(), pilot.end(), 0.0) / kPilot);
     highest.push_back(isSpread ? mean.back() : *std::ranges::max_element(pilot));
   }

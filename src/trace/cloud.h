@@ -12,6 +12,7 @@
 #include "optics/ice.h"
 #include "optics/spectrum.h"
 #include "optics/sun.h"
+#include "trace/concave_crystal.h"
 #include "trace/incidence.h"
 #include "trace/trace_settings.h"
 
@@ -34,6 +35,9 @@ class Cloud {
 
   /// The crystal of a population for lanes; of one whose shapes are spread it is a typical one, which no ray meets.
   const FaceTable& faces(int population) const { return faces_[population]; }
+
+  /// A population's crystal where it is not convex; null for convex ones.
+  const ConcaveCrystal* concave(int population) const { return concave_[population].get(); }
 
   /// Whether there are populations whose shapes are spread. So many bundles in a row, counted from the run's first,
   /// meet the same crystal of such a population.
@@ -74,6 +78,7 @@ class Cloud {
   IceSettings ice_;
   std::vector<Population> populations_;
   std::vector<FaceTable> faces_;
+  std::vector<std::unique_ptr<const ConcaveCrystal>> concave_;  // by population
   bool hasSpreadShapes_ = false;
   std::array<Pilot, kNamesOf<Sampler>.size()> pilot_;        // by Sampler
   std::vector<double> favours_, lightPerRay_, lightShares_;  // by population

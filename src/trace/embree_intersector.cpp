@@ -2,48 +2,17 @@
 #include "trace/embree_intersector.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
-#include <utility>
 #include <vector>
 
 #include <glm/geometric.hpp>
 
 #include "trace/embree_api.h"
+#include "trace/embree_device.h"
 
 namespace parhelion {
-
-// Embree calls back from C: the callbacks only record, and check() throws afterwards.
-struct EmbreeDevice::State {
-  RTCDevice device = nullptr;
-  std::size_t memoryLimit = 0;
-  std::atomic<long long> memory{0};
-  std::string error;
-
-  ~State() {
-    if (device) rtcReleaseDevice(device);
-  }
-
-  static void recordError(void* self, RTCError code, const char* message) {
-    auto& error = static_cast<State*>(self)->error;
-    if (!error.empty()) return;
-    error = code == RTC_ERROR_OUT_OF_MEMORY ? "out of memory" : "error " + std::to_string(code);
-    if (message && *message) error += std::string(" (") + message + ")";
-  }
-
-  static bool watchMemory(void* self, ssize_t bytes, bool) {
-    auto& state = *static_cast<State*>(self);
-    const long long total = state.memory += bytes;
-    return bytes <= 0 || state.memoryLimit == 0 || total <= static_cast<long long>(state.memoryLimit);
-  }
-
-  void check(const char* doing) {
-    if (error.empty()) return;
-    throw std::runtime_error(std::string("Embree failed while ") + doing + ": " + std::exchange(error, {}));
-  }
-};
 
 EmbreeDevice::EmbreeDevice(const std::string& config, std::size_t memoryLimit) : state_(std::make_shared<State>()) {
   state_->memoryLimit = memoryLimit;

@@ -8,6 +8,7 @@
 
 #include "math/random.h"
 #include "trace/branch.h"
+#include "trace/concave_walk.h"
 
 namespace parhelion {
 
@@ -73,10 +74,11 @@ class Walk {
   void leave(const Vec3& leavingDir, double energy) {
     ++path_.hits;
     if (path_.recordEncounters)
-      path_.encounters.push_back({faces_[face_].number, point_, energy, energy_, leavingDir, lightDir_, order_});
+      path_.encounters.push_back(
+          {faces_[face_].number, point_, energy, energy_, leavingDir, lightDir_, order_, order_ - 1});
     if (energy <= 0.0) return;
     const Vec3 world = renormalised(ray_.crystalToWorld * leavingDir);
-    path_.exits.push_back({world, energy, order_, isSameDirection<double>(world, ray_.lightDirWorld)});
+    path_.exits.push_back({world, energy, order_, isSameDirection<double>(world, ray_.lightDirWorld), order_});
   }
 
   const FaceFinder& engine_;
@@ -94,6 +96,49 @@ class Walk {
   int order_ = 0;
 };
 
+/// Puts what becomes of light at crystals of any form into a LightPath. A mark is the place of the last encounter.
+class PathFilm {
+ public:
+  explicit PathFilm(LightPath& path) : path_(path) {}
+
+  int meet(int before, const ConcaveStep<int>& step) {
+    if (!path_.recordEncounters) return -1;
+    const int number = path_.incident.crystal.mesh->faces()[step.face].number;
+    path_.encounters.push_back({number, step.point, 0.0, 0.0, {}, {}, step.order, before});
+    return static_cast<int>(path_.encounters.size()) - 1;
+  }
+  void branches(int mark, double out, const Vec3& outDir, double in, const Vec3& inDir) {
+    if (mark < 0) return;
+    Encounter& here = path_.encounters[static_cast<std::size_t>(mark)];
+    here.energyLeaving = out;
+    here.energyStaying = in;
+    here.leavingDir = outDir;
+    here.stayingDir = inDir;
+  }
+  void leave(int mark, const Vec3& lightDir, double energy, int order) {
+    const IncidentRay& ray = path_.incident;
+    const Vec3 world = renormalised(ray.crystalToWorld * lightDir);
+    path_.exits.push_back({world, energy, order, isSameDirection<double>(world, ray.lightDirWorld), mark});
+  }
+
+ private:
+  LightPath& path_;
+};
+
+void followConcave(const ConcaveCrystal& crystal, const TraceSettings& settings, LightPath& path) {
+  const IncidentRay& ray = path.incident;
+  PathFilm film(path);
+  std::vector<ConcaveStep<int>> waiting;
+  ConcaveWalk walk(crystal, ray.iceIndex, ray.weight * pathRule(settings.path).splitShare,
+                   pathRandom<double>(settings.seed, ray.bundle), film, waiting);
+  walk.run(ray.entry, ray.lightDirCrystal, ray.weight, -1);
+  path.internalPath = walk.internalPath;
+  path.cutOff = walk.cutOff;
+  path.lost = walk.lost;
+  path.hits = walk.hits;
+  path.rescued = walk.rescued;
+}
+
 }  // namespace
 
 void followLight(const Intersector& engine, const TraceSettings& settings, LightPath& path) {
@@ -101,6 +146,8 @@ void followLight(const Intersector& engine, const TraceSettings& settings, Light
   path.encounters.clear();
   path.internalPath = path.cutOff = path.lost = 0.0;
   path.hits = path.rescued = 0;
+  if (const auto* concave = std::get_if<ConcaveIntersector>(&engine))
+    return followConcave(*concave->crystal, settings, path);
   std::visit([&](const auto& chosen) { Walk(chosen, settings, path).run(); }, engine);
 }
 

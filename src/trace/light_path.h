@@ -15,16 +15,18 @@ struct Exit {
   double energy;       // share of the ray's unit of intercepted light
   int order;           // 0: reflected at the outside; k: left at internal encounter k
   bool undeviated;     // goes on as if there were no crystal, through parallel faces
+  int encounter = 0;   // with which it leaves: its place in LightPath::encounters, where these are recorded
 };
 
 /// One meeting of a path with a face, for replay. Directions are unit vectors in the crystal's frame.
 struct Encounter {
-  int faceNumber;  // crystallographic
-  Vec3 point;      // crystal frame, crystal units
-  double energyLeaving, energyStaying;
-  Vec3 leavingDir;  // of the light that leaves here; meaningless where none does
-  Vec3 stayingDir;  // of the light that goes on inside; meaningless where none does
+  int faceNumber;                       // crystallographic
+  Vec3 point;                           // crystal frame, crystal units
+  double energyLeaving, energyStaying;  // outside and inside afterwards
+  Vec3 leavingDir;                      // of the light that is outside afterwards; meaningless where there is none
+  Vec3 stayingDir;                      // of the light that goes on inside; meaningless where none does
   int order;
+  int before = -1;  // the encounter that the light comes from
 };
 
 /// One incident ray and all that it becomes. Reused from ray to ray so that its buffers are allocated once.

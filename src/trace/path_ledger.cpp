@@ -63,6 +63,7 @@ Vec3 densestAmong(const std::vector<Vec3>& samples) {
 class HaloNames {
  public:
   HaloNames(const Population& population) {
+    if (population.mesh().faces().size() > kMostPatternFaces) return;
     const auto stance = stanceOf(population);
     std::vector<int> numbers;
     for (const Face& face : population.mesh().faces()) numbers.push_back(face.number);

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "trace/concave_entry.h"
+
 namespace parhelion {
 
 namespace {
@@ -78,7 +80,7 @@ void RaySource::splitByPopulation(int attempt) {
   for (int i = 0; i < count; i += IncidenceNumbers::kRoom) {
     const int some = std::min(IncidenceNumbers::kRoom, count - i);
     auto& u = numbers_.row[0];
-    if (last > 0 && !sobol_.empty())
+    if (last > 0 && drawsSobol(attempt))
       fillSobol(&waiting_[i], some, kPopulationDimension, u.data());
     else if (last > 0)
       steps_.draw(seed_, RandomPurpose::population, &waiting_[i], some, attempt, 1, numbers_);
@@ -104,14 +106,17 @@ void RaySource::propose(int population, int attempt) {
     fill(proposals.bundle, proposals.count, attempt);
     RayQueue& queue = queues_[population];
     if (queue.makeRoom(queue.count + proposals.count) && cloud_.hasFixedLight()) setLight(queue);
-    steps_.propose(table, numbers_, proposals, queue);
+    if (const ConcaveCrystal* concave = cloud_.concave(population))
+      proposeConcave(*concave, table, numbers_, proposals, queue);
+    else
+      steps_.propose(table, numbers_, proposals, queue);
   }
   waiting_.resize(before + proposals.rejectedCount);
 }
 
 /// The numbers for some bundles' attempt.
 void RaySource::fill(const std::uint64_t* bundles, int count, int attempt) {
-  if (!sobol_.empty()) {
+  if (drawsSobol(attempt)) {
     for (int d = 0; d < kPopulationDimension; ++d) fillSobol(bundles, count, d, numbers_.row[kByWeight[d]].data());
     return;
   }

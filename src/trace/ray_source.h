@@ -49,6 +49,8 @@ class RaySource {
   };
   void drawCrystals(std::uint64_t block);
   void propose(int population, int attempt);
+  /// A bundle has one Sobol' point; further attempts, which only crystals that are not convex need, are independent.
+  bool drawsSobol(int attempt) const { return !sobol_.empty() && attempt == 0; }
   void fill(const std::uint64_t* bundles, int count, int attempt);
   void fillSobol(const std::uint64_t* bundles, int count, int dimension, double* numbers);
   void splitByPopulation(int attempt);

@@ -81,6 +81,8 @@ void Wave::traceBlock(std::uint64_t first, int count, int members, Film& tally) 
 }
 
 void Wave::follow(RayQueue& queue, int population, int members) {
+  if (const ConcaveCrystal* concave = cloud_.concave(population))
+    return followConcave(*concave, queue, population, members);
   const FaceTable& faces = source_.faces(population);
   const PathTable paths = paths_.table(population);
   const auto enter = steps_.enter[static_cast<std::size_t>(paths_.record())];
@@ -104,6 +106,24 @@ void Wave::follow(RayQueue& queue, int population, int members) {
     counts_.hits += pool_->active;
     refill(queue, population, members);
   }
+  finish(queue, population, members);
+}
+
+void Wave::followConcave(const ConcaveCrystal& crystal, RayQueue& queue, int population, int members) {
+  exits_.count = 0;
+  energy_ = {.perLight = perLight_[population]};
+  const ConcavePaths::Counts counts =
+      concavePaths_.follow(crystal, paths_, population, seed_, rule_, members, queue, exits_, energy_);
+  counts_.hits += counts.hits;
+  counts_.rescued += counts.rescued;
+  for (int member = 0; member < members; ++member)
+    for (int place = 0; place < queue.count; ++place)
+      if (const double cutOff = queue.cutOff[queue.ray(member, place)]; cutOff > 0.0) counts_.energy.cutOff.add(cutOff);
+  finish(queue, population, members);
+}
+
+/// Counts what has become of the rays and sorts the exits.
+void Wave::finish(RayQueue& queue, int population, int members) {
   count(queue, members);
   if (paths_.hasFilter()) filter(population);
   steps_.turnToWorld(queue, exits_);

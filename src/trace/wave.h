@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "trace/concave_paths.h"
 #include "trace/energy_ledger.h"
 #include "trace/engine.h"
 #include "trace/film.h"
@@ -58,6 +59,8 @@ class Wave {
   void traceBlock(std::uint64_t first, int count, int members, Film& tally);
   const Intersector& engine(int population);
   void follow(RayQueue& queue, int population, int members);
+  void followConcave(const ConcaveCrystal& crystal, RayQueue& queue, int population, int members);
+  void finish(RayQueue& queue, int population, int members);
   void findFaces(int population);
   bool putNext(RayQueue& queue, int population, int members, int place);
   void beginPath(int population, int place);
@@ -88,6 +91,7 @@ class Wave {
   EngineDevices devices_;
   std::vector<std::optional<OwnEngine>> own_;  // by population
   std::unique_ptr<RayPool> pool_;
+  ConcavePaths concavePaths_;
   int nextMember_ = 0, nextPlace_ = 0;  // of the rays in the queue
   ExitList exits_;
   EnergyUnits energy_;

@@ -63,6 +63,7 @@ const SceneClaims kClaims[] = {
       {What::inVertical, 44.9},
       {What::inVertical, 50.4},
       {What::inVertical, 69.0}}},
+    {"hollow-columns.toml", {{What::inVertical, 46.9}}},
     {"kern-arc.toml", {{What::inVertical, 62.4}}},
     {"cubic-ice.toml", {{What::ring, 27.9}, {What::ring, 21.9}}},
     {"moilanen.toml", {{What::inVertical, 16.5}, {What::ring, 21.9}}},

@@ -59,7 +59,7 @@ TEST_CASE("every member of a family has a name of its own, which reads back") {
   checkNames<Horizon>(2);
   checkNames<ContinuousSpectrum::Source>(9);
   checkNames<OrientationName>(5);
-  checkNames<ShapeSettings>(3);
+  checkNames<ShapeSettings>(4);
   checkNames<ReconSettings>(8);
 }
 
@@ -67,9 +67,11 @@ TEST_CASE("names choose what they name in scene files") {
   for (const auto name : kNamesOf<Engine>) CHECK(nameOf(sceneOf(text("trace", "engine", name)).trace.engine) == name);
   for (const auto name : kNamesOf<ReconSettings>) CHECK(nameOf(sceneOf(text("recon", "method", name)).recon) == name);
   for (const auto name : kNamesOf<ShapeSettings>) {
-    const std::string planes = name == "planes" ? "planes = [{ normal = [1, 1, 1] }, { normal = [-1, -1, 1] }, "
-                                                  "{ normal = [-1, 1, -1] }, { normal = [1, -1, -1] }]\n"
-                                                : "";
+    std::string planes = name == "planes" ? "planes = [{ normal = [1, 1, 1] }, { normal = [-1, -1, 1] }, "
+                                            "{ normal = [-1, 1, -1] }, { normal = [1, -1, -1] }]\n"
+                                          : "";
+    if (name == "mesh")
+      planes = "mesh = \"\"\"\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n\"\"\"\n";
     const Scene scene = sceneOf("[[population]]\nshape = '" + std::string(name) + "'\n" + planes);
     CHECK(nameOf(scene.populations[0].shape) == name);
   }
@@ -89,10 +91,12 @@ TEST_CASE("the table of keys knows which keys a method and a shape have") {
   CHECK(keysOfChosen(ReconSettings(AdaptiveSettings{})).own.empty());
   CHECK(keysOfChosen(ReconSettings(GonzatoMarchandSettings{})).others ==
         Keys{"sigma", "scales", "period", "reading", "relaxation"});
-  CHECK(keysOfChosen(PopulationKeys{.shape = PrismSettings{}}).own == Keys{"aspect", "sides"});
+  CHECK(keysOfChosen(PopulationKeys{.shape = PrismSettings{}}).own ==
+        Keys{"aspect", "sides", "cavity", "upper_cavity", "lower_cavity"});
   CHECK(keysOfChosen(PopulationKeys{.shape = PyramidSettings{}}).own ==
         Keys{"aspect", "sides", "upper", "lower", "slope"});
   CHECK(keysOfChosen(PopulationKeys{.shape = PlanesSettings{}}).own == Keys{"planes"});
+  CHECK(keysOfChosen(PopulationKeys{.shape = MeshSettings{}}).own == Keys{"mesh"});
 }
 
 TEST_CASE("keys fill the settings of the chosen method and leave the defaults of the others") {

@@ -12,7 +12,7 @@ namespace parhelion {
 namespace {
 
 /// Faces of a mesh as bits.
-using FaceBits = std::uint32_t;
+using FaceBits = std::uint64_t;
 
 /// A place of one image of a pattern's chain.
 struct Step {
@@ -49,7 +49,7 @@ class Builder {
   const std::vector<Step>& steps() const { return steps_; }
 
   Met after(const Met& met, int face, bool isStart) const {
-    const FaceBits bit = FaceBits{1} << face;
+    const FaceBits bit = face < kMostPatternFaces ? FaceBits{1} << face : 0;
     Met next;
     next.hits = std::min(met.hits + 1, countedHits_ + 1);
     const auto enter = [&](int step) {
@@ -122,6 +122,9 @@ PathAutomaton::PathAutomaton(std::span<const int> faceNumbers, std::span<const S
     : faces_(static_cast<int>(faceNumbers.size())) {
   if (patterns.size() > kMostPatterns)
     throw std::invalid_argument("there may be " + std::to_string(kMostPatterns) + " patterns of raypaths at the most");
+  if (faces_ > kMostPatternFaces && !patterns.empty())
+    throw std::invalid_argument("patterns of raypaths are for crystals of at most " +
+                                std::to_string(kMostPatternFaces) + " faces");
   const Builder builder(faceNumbers, patterns);
   // Subset construction. The start is a state of its own, which nothing leads back to.
   std::map<Met, int> stateOf;

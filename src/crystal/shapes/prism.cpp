@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <stdexcept>
 
 #include "crystal/shapes/hexagon_stack.h"
 
@@ -20,6 +21,11 @@ CrystalMesh hexagonalPrism(double aspect) {
 CrystalMesh meshOf(const PrismSettings& prism) {
   const auto* fixed = std::get_if<FixedValue>(&prism.aspect);
   const double aspect = fixed ? fixed->value : 1.0;
+  if (prism.isHollow()) {
+    if (!fixed || !isHexagonal(prism))
+      throw std::invalid_argument("a prism with pits in its ends has regular sides and one aspect");
+    return hollowPrism(aspect, prism.upperCavity, prism.lowerCavity);
+  }
   if (isHexagonal(prism)) return hexagonalPrism(aspect);
   std::vector<FacePlane> planes = endPlanes(aspect, -aspect);
   std::ranges::copy(sidePlanes(prism.sides), std::back_inserter(planes));

@@ -8,6 +8,7 @@
 #include "crystal/crystal_mesh.h"
 #include "crystal/distributions.h"
 #include "crystal/shape_spread.h"
+#include "crystal/shapes/cavity.h"
 #include "crystal/shapes/sides.h"
 
 namespace parhelion {
@@ -18,6 +19,9 @@ struct PrismSettings {
   AspectDistribution aspect = FixedValue{1.0};
   Sides sides = kRegularSides;
   std::vector<ShapeSpread> spreads = {};  // of sides
+  Cavity upperCavity = {}, lowerCavity = {};
+
+  bool isHollow() const { return upperCavity.isThere() || lowerCavity.isThere(); }
 };
 
 /// Hexagonal prism centred on the origin, hexagon side 1, length 2 * `aspect` along c. Faces 1-8.
@@ -25,7 +29,7 @@ CrystalMesh hexagonalPrism(double aspect);
 
 CrystalMesh meshOf(const PrismSettings& prism);
 std::optional<AngleDistribution> stretchOf(const PrismSettings& prism);
-inline bool hasEndsAlike(const PrismSettings&) { return true; }
+inline bool hasEndsAlike(const PrismSettings& prism) { return prism.upperCavity == prism.lowerCavity; }
 inline bool isHexagonal(const PrismSettings& prism) { return prism.sides == kRegularSides && prism.spreads.empty(); }
 
 }  // namespace parhelion
