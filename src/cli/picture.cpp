@@ -96,6 +96,7 @@ void reportPicture(const SkyFiles& files, const WrittenSky& written, const std::
   for (const std::string& remark : remarks) say("recon: %s", remark.c_str());
   if (written.orders) printOrders(*written.orders);
   say("wrote %s and %s (exposure %s)", files.exr.c_str(), files.png.c_str(), exposureText(written.exposure).c_str());
+  if (!written.unlit.empty()) say("there is no halo: %s", written.unlit.c_str());
   if (written.badPixels > 0) say("%zu pixels are not finite and black in the preview", written.badPixels);
 }
 

@@ -130,6 +130,15 @@ void reportPlan(const std::vector<SweepFrame>& frames) {
   say("%zu frames: %zu skipped, %zu to render%s", frames.size(), frames.size() - lacking, lacking, reason.c_str());
 }
 
+/// Says how many frames have no halo, and why the first of them has none.
+void reportUnlit(const std::vector<SweepFrame>& frames) {
+  std::size_t count = 0;
+  std::string reason;
+  for (const SweepFrame& frame : frames)
+    if (const std::string why = whyUnlit(frame.loaded.scene); !why.empty() && count++ == 0) reason = why;
+  if (count > 0) say("%zu of %zu frames have no halo: %s", count, frames.size(), reason.c_str());
+}
+
 void reportFrame(const RunOptions& run, const SweepFrame& frame, std::size_t number, std::size_t count,
                  double seconds) {
   if (run.quiet) return;
@@ -190,6 +199,7 @@ int runSweep(const SweepOptions& options, const CLI::App& command) {
       planFrames(values, load, names, options.first, gamutOf(options.gamut), options.run.overwrite);
   requireOutputsOf(options, frames);
   if (!options.run.quiet) reportPlan(frames);
+  if (!options.run.quiet) reportUnlit(frames);
   const StopSignal stop;
   const std::optional<FramePictures> pictures = renderLacking(options.run, frames, stop);
   if (pictures && makePreviews(options, frames, *pictures, stop)) {

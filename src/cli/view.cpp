@@ -15,6 +15,7 @@
 #include "optics/ice.h"
 #include "picture/transfer.h"
 #include "render/scene_attributes.h"
+#include "render/sky_files.h"
 #include "scene/parse_scene.h"
 #include "scene/scene_halos.h"
 #include "scene/view_difference.h"
@@ -108,10 +109,21 @@ Crystals crystalsOf(const ViewInput& input, const ViewOptions& options) {
           "halos of all crystals: " + input.path + " has no scene; --scene or --crystals says less"};
 }
 
+/// Whether a picture shows ground, or nothing, below the horizon, and no halos.
+bool endsAtHorizon(const Scene& scene) {
+  return scene.camera.horizon == Horizon::cut || (scene.sky.air && !(scene.observer.altitude > 0.0));
+}
+
 /// Lines and letters for what a picture shows.
 LineArt linesOver(const ViewInput& input, const PhotoCamera& camera, const ViewOptions& options) {
   OverlaySettings settings = options.overlaySettings();
-  settings.belowHorizon = options.belowHorizon.value_or(!input.isPhotograph());
+  std::optional<Scene> own;
+  if (const auto scene = input.scene()) own = parseScene(*scene, "the scene in " + input.sceneFile).scene;
+  settings.belowHorizon = options.belowHorizon.value_or(!input.isPhotograph() && !(own && endsAtHorizon(*own)));
+  if (const std::string unlit = own ? whyUnlit(*own) : ""; !unlit.empty() && settings.halos) {
+    settings.halos = false;
+    if (!options.quiet) say("no halos: %s", unlit.c_str());
+  }
   Crystals crystals = settings.halos ? crystalsOf(input, options) : Crystals{};
   settings.makers = std::move(crystals.makers);
   settings.names = layerNames(input, camera.camera, options.layers, settings);
@@ -234,6 +246,12 @@ void writeView(View view, const ViewInput& input, const ViewOptions& options, Tr
   for (const std::string& remark : view.remarks) say("%s", remark.c_str());
 }
 
+/// Whether a lens shows nothing in a pixel's middle, as around the disc of a fisheye.
+bool isOutsideSky(const Camera& camera, std::size_t pixel) {
+  const auto width = static_cast<std::size_t>(camera.width());
+  return !camera.toSky({static_cast<double>(pixel % width) + 0.5, static_cast<double>(pixel / width) + 0.5});
+}
+
 /// Adds the glare of an eye to a picture of linear light.
 void dazzle(ViewInput& input) {
   if (!input.light)
@@ -242,8 +260,17 @@ void dazzle(ViewInput& input) {
   if (!scene)
     throw CLI::ValidationError(
         "--glare", input.path + " has no scene that tells its camera, so how far apart its pixels are is not known");
-  addGlare(*input.light,
-           1.0 / Camera(parseScene(*scene, "the scene in " + input.sceneFile).scene.camera).focalLength());
+  const Camera camera(parseScene(*scene, "the scene in " + input.sceneFile).scene.camera);
+  Image& light = *input.light;
+  const bool isWhole = light.width == camera.width() && light.height == camera.height();
+  std::vector<std::size_t> outside;  // glare is not seen there, either
+  for (std::size_t i = 0; i < light.pixels() && isWhole; ++i)
+    if (std::ranges::all_of(light.rgb(), [i](const auto* plane) { return (*plane)[i] == 0.0F; }) &&
+        isOutsideSky(camera, i))
+      outside.push_back(i);
+  addGlare(light, 1.0 / camera.focalLength());
+  for (const std::size_t i : outside)
+    for (Channel& channel : light.channels) channel.samples[i] = 0.0F;
 }
 
 /// Reads the second picture, if there is one. Throws for options that have no meaning for what is in the files.

@@ -15,6 +15,7 @@
 #include "parallel/loops.h"
 #include "parallel/threads.h"
 #include "picture/colour_space.h"
+#include "render/clouded_sky.h"
 #include "render/more_orders.h"
 #include "render/slab_light.h"
 #include "sky/draw_sun.h"
@@ -67,6 +68,7 @@ class Background {
         toRec709_(xyzToRec709()),
         slab_(slab),
         more_(more),
+        clouded_(sky_, slab, scene),
         arriving_(sky_.sunlight().y / solarIlluminance(scene.sun.spectrum)),
         fromHalo_(arriving_ * (toRec709_ * rec709ToXyz(info.white))) {}
 
@@ -110,9 +112,10 @@ class Background {
   Vec3 behind(const Vec3& toSky, int x, int y) const {
     constexpr double kReach = 2.0;  // pixels, more than half of one's diagonal wherever lenses stretch them
     const bool isAtHorizon = std::abs(toSky.z - portable::sin(sky_.horizon())) * camera_.focalLength() < kReach;
-    if (!isAtHorizon) return toRec709_ * sky_.radiance(toSky);
+    if (!isAtHorizon) return toRec709_ * clouded_.radiance(toSky);
     constexpr int kSamples = 4;
-    return toRec709_ * meanOverPixel(camera_, x, y, kSamples, [&](const Vec3& there) { return sky_.radiance(there); });
+    return toRec709_ *
+           meanOverPixel(camera_, x, y, kSamples, [&](const Vec3& there) { return clouded_.radiance(there); });
   }
 
   Image& image_;
@@ -123,6 +126,7 @@ class Background {
   Mat3 toRec709_;
   const SlabLight& slab_;  // in sunlight as it is above the air
   const Image* more_;
+  CloudedSky clouded_;
   double arriving_;  // share of that which reaches the crystals
   Mat3 fromHalo_;    // from the slab's light to Rec.709
 };

@@ -16,8 +16,8 @@ SunSettings sunAtCloud(const Scene& scene);
 /// Puts a finished picture of a halo, 1/sr, into absolute units and adds what is behind it: the sky, the ground and, if
 /// it is visible, the sun. Linear Rec.709 with Y in cd/m^2; nothing is adapted to the light of the sun. Layers get the
 /// units alone. The crystals are in the scene's cloud, or in one of optical depth 0.05 where it has none. The cloud
-/// dims the sun, but not the sky: it scatters about as much of that light toward the observer as it takes. `info` is
-/// that of the picture's tally. `threads` 0: one a processor.
+/// dims the sun, the sky behind it and the ground under it (clouded_sky.h). `info` is that of the picture's tally.
+/// `threads` 0: one a processor.
 void addAir(Image& image, const Camera& camera, const TallyInfo& info, const Scene& scene, int threads);
 
 /// The same where the light of the scene's cloud is known. `more` is light that was scattered more than once, in cd/m^2

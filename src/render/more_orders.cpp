@@ -80,7 +80,7 @@ std::optional<MoreOrders> moreOrders(const LoadedScene& loaded, std::uint64_t ra
   const double rise = Sun(sun).toCentre().z;
   if (!scene.cloud || scene.cloud->orders < 2 || !(rise > 0.0)) return std::nullopt;
   const Engine engine = isTraced(scene.trace.engine) ? scene.trace.engine : Engine::automatic;
-  const ManyOrders orders({sun, scene.ice, scene.populations, scene.hazes}, *scene.cloud, slab.extinction(), engine);
+  const ManyOrders orders({sun, scene.ice, scene.populations, scene.hazes}, scene.cloud->orders, slab.stack(), engine);
   SkyTally tally = emptyTally(loaded, orders.spectrum());
   const auto& layers = scene.trace.paths.layers;
   OrderDeposits deposits;
@@ -127,8 +127,7 @@ void addHaze(Image& image, const Camera& camera, const Scene& scene, double ofHa
       if (!toSky) continue;
       const double cosine = toSky->x * toSun.x + toSky->y * toSun.y + toSky->z * toSun.z;
       double sum = 0.0;
-      for (std::size_t k = 0; k < phases.size(); ++k)
-        sum += scene.hazes[k].weight * phases[k].at(cosine);
+      for (std::size_t k = 0; k < phases.size(); ++k) sum += scene.hazes[k].weight * phases[k].at(cosine);
       light[static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x)] =
           static_cast<float>(ofHaze / weight * sum);
     }

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <map>
 
+#include "air/air_sky.h"
 #include "parallel/threads.h"
 #include "picture/auto_exposure.h"
 #include "picture/png.h"
@@ -56,6 +57,16 @@ std::optional<OrderReport> writeSky(const Output& exr, Image& image, const Tally
 
 bool isAbsolute(const Scene& scene) { return scene.cloud.has_value() || scene.sky.air; }
 
+std::string whyUnlit(const Scene& scene) {
+  constexpr double kGreen = 550.0, kMetresPerKilometre = 1000.0;  // nm; air hides the sun at all wavelengths alike
+  if (scene.cloud && !(scene.sun.elevation > 0.0))
+    return "a cloud without an end takes all light of a sun that is not above the horizon";
+  const double altitude = scene.observer.altitude / kMetresPerKilometre + kEyeHeight;
+  if (scene.sky.air && !(Atmosphere(scene.sky).sunTransmittance(kGreen, altitude, scene.sun.elevation) > 0.0))
+    return "the sun is below the horizon";
+  return {};
+}
+
 double ownExposure(const Image& image, const Scene& scene) {
   return scene.sky.air ? exposureOfScenery(image) : autoExposure(image);
 }
@@ -82,7 +93,7 @@ WrittenSky writeSkyFiles(const SkyFiles& files, Image image, const TallyInfo& in
   const ToneSettings tone = previewTone(files.display, image, loaded.scene);
   const Preview preview = developPreview(image, tone);
   writePreview({files.png, files.run}, preview, tone.exposureStops, loaded.text);
-  return {tone.exposureStops, preview.badPixels, orders};
+  return {tone.exposureStops, preview.badPixels, orders, whyUnlit(loaded.scene)};
 }
 
 }  // namespace parhelion

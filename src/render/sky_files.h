@@ -43,6 +43,9 @@ ToneSettings previewTone(LightDisplay how, const Image& image, const Scene& scen
 /// Whether pictures of a scene are in cd/m^2.
 bool isAbsolute(const Scene& scene);
 
+/// Why no sunlight reaches the crystals of a scene whose pictures are in cd/m^2, for people; "" where it does.
+std::string whyUnlit(const Scene& scene);
+
 /// An exposure as people and PNG texts read it: "+1.50 stops".
 std::string exposureText(double stops);
 
@@ -65,6 +68,7 @@ struct WrittenSky {
   double exposure;                    // of the preview, stops
   std::size_t badPixels;              // not finite in the sky, black in the preview
   std::optional<OrderReport> orders;  // of a cloud whose light is scattered more than once
+  std::string unlit;                  // whyUnlit()
 };
 
 /// Writes a sky reconstructed from a tally with that info as writeSky() does, and its preview. Throws

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <vector>
+#include <memory>
 
 #include "picture/image.h"
+#include "render/by_elevation.h"
 #include "scene/scene.h"
 #include "sky/camera.h"
-#include "trace/extinction.h"
+#include "trace/slab_stack.h"
 
 namespace parhelion {
+
+class LayeredLight;
 
 /// What a cloud of some depth makes of the light of single crystals, in absolute units.
 ///
@@ -22,10 +25,21 @@ class SlabLight {
   /// as Extinction does.
   SlabLight(const Scene& scene, double undeviated);
 
-  /// Of the crystals and the haze.
-  const Extinction& extinction() const { return extinction_; }
+  SlabLight(SlabLight&&) noexcept;
+  SlabLight& operator=(SlabLight&&) noexcept;
+  ~SlabLight();
 
-  /// How much of the sunlight that the cloud meets is met by haze.
+  /// Of the crystals and the haze, layer by layer.
+  const SlabStack& stack() const { return stack_; }
+
+  /// Depth that light from a direction of the sky meets.
+  double depthToward(const Vec3& toSky) const { return stack_.depthAlong(toSky, kLevelRise); }
+
+  /// Whether azimuths make no difference to it.
+  bool isSameAllAround() const { return extinction_.isSameAllAround(); }
+
+  /// How much of the sunlight that the cloud meets is met by haze. 0 where there are layers, to which apply() itself
+  /// adds it.
   double ofHaze() const { return ofHaze_; }
 
   /// Sunlight in front of the cloud on a surface that faces it, lx.
@@ -34,8 +48,8 @@ class SlabLight {
   /// Sunlight behind the cloud on a surface that faces it, lx: what got through without being scattered.
   double directIlluminance() const;
 
-  /// What a radiance per unit of intercepted light (1/sr) amounts to in a direction of the sky, cd/m^2. 0 where the sun
-  /// is not above the horizon.
+  /// What a radiance per unit of intercepted light (1/sr) amounts to in a direction of the sky, cd/m^2, in a cloud
+  /// without layers. 0 where the sun is not above the horizon.
   double luminanceAt(const Vec3& toSky) const;
 
   /// Turns a picture in 1/sr into one in cd/m^2, all layers and errors with it.
@@ -43,16 +57,17 @@ class SlabLight {
 
  private:
   double exactLuminanceAt(const Vec3& toSky) const;
-  void tabulate();
-  double meanOver(const Camera& camera, int x, int y) const;
 
   Extinction extinction_;
-  double opticalDepth_, illuminance_;
+  SlabStack stack_;
+  double illuminance_;
   Vec3 toSun_;
-  double sunShadow_, ofHaze_;        // of crystals in sunlight, as Extinction has it
-  bool isLit_;                       // whether the sun reaches it
-  double fromSun_;                   // depth that sunlight meets
-  std::vector<double> byElevation_;  // luminances, above the horizon and below it; none where azimuths matter
+  double sunShadow_, ofHaze_;  // of crystals in sunlight, as Extinction has it
+  bool isLit_;                 // whether the sun reaches it
+  bool isAboveGround_;         // hidesCloudBelow()
+  double fromSun_;             // depth that sunlight meets
+  ByElevation byElevation_;    // luminances; empty where azimuths matter
+  std::unique_ptr<const LayeredLight> layered_;
 };
 
 }  // namespace parhelion

@@ -128,7 +128,9 @@ SheetLayout layoutOf(std::span<const SweepFrame> frames) {
     width = std::max(width, frame.loaded.scene.camera.width);
     height = std::max(height, frame.loaded.scene.camera.height);
   }
-  return layOutSheet(frames.size(), width, height, static_cast<int>(frames.front().values.size()));
+  int labelWidth = 0;
+  for (const SweepFrame& frame : frames) labelWidth = std::max(labelWidth, labelWidthOf(frame.values));
+  return layOutSheet(frames.size(), width, height, static_cast<int>(frames.front().values.size()), labelWidth);
 }
 
 }  // namespace

@@ -236,6 +236,13 @@ std::string describeOrders(int orders) {
   return orders == 1 ? "once" : orders == 2 ? "twice" : std::to_string(orders) + " times";
 }
 
+std::string describe(const SlabLayer& layer) {
+  std::string text = "of optical depth " + plain(layer.opticalDepth);
+  for (const std::string& name : layer.populations)
+    text.append(&name == &layer.populations[0] ? ": " : ", ").append(name);
+  return text;
+}
+
 std::string describe(const PhaseSettings& phase) {
   return std::visit(Overloaded{
                         [](const HenyeyGreenstein& own) { return "g " + plain(own.g); },
@@ -276,6 +283,8 @@ std::string describeScene(const Scene& scene) {
   if (scene.cloud)
     text += row("cloud", "optical depth " + plain(scene.cloud->opticalDepth) + ", light scattered " +
                              describeOrders(scene.cloud->orders));
+  if (scene.cloud)
+    for (const SlabLayer& layer : scene.cloud->layers) text += row("cloud layer", describe(layer));
   for (const LayerSettings& layer : scene.trace.paths.layers) text += row("layer", describe(layer));
   if (scene.sky.air) text += row("air", describe(scene.sky, scene.observer));
   text += row("camera", describe(scene.camera)) + row("trace", describe(scene.trace));

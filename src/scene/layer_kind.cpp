@@ -223,13 +223,49 @@ void checkLayers(const toml::table& root, Scene& scene, Complaints& complaints) 
   }
 }
 
+void checkCloudLayers(const toml::table& root, const Scene& scene, Complaints& complaints) {
+  if (!scene.cloud || scene.cloud->layers.empty()) return;
+  std::vector<std::string> names, taken;
+  std::vector<double> weights;
+  for (const PopulationSettings& population : scene.populations) {
+    names.push_back(population.name);
+    weights.push_back(population.weight);
+  }
+  for (const HazeSettings& haze : scene.hazes) {
+    names.push_back(haze.name);
+    weights.push_back(haze.weight);
+  }
+  const std::vector<std::string_view> accepted(names.begin(), names.end());
+  const toml::array& list = *root["cloud"]["layer"].as_array();
+  for (std::size_t i = 0; i < scene.cloud->layers.size(); ++i) {
+    const Place place = placeOf(list.get(i)->as_table()->get("populations")->source(), complaints);
+    double weight = 0.0;
+    for (const std::string& name : scene.cloud->layers[i].populations) {
+      taken.push_back(name);
+      const auto found = std::ranges::find(names, name);
+      if (found == names.end())
+        complaints.add(place, "there is no population \"" + name + '"', didYouMean(name, accepted));
+      weight += found == names.end() ? 1.0 : weights[static_cast<std::size_t>(found - names.begin())];
+    }
+    if (!(weight > 0.0)) complaints.add(place, "all populations of this layer have the weight 0");
+  }
+  for (const std::string& name : names)
+    if (std::ranges::find(taken, name) == taken.end())
+      complaints.add(placeOf(list.source(), complaints), "the population \"" + name + "\" is in no layer of the cloud",
+                     "name it in 'populations' of a [[cloud.layer]]");
+}
+
 void addLayerPerPopulation(const toml::table& root, Scene& scene, Complaints& complaints) {
   const toml::node* node = root["layers"].node();
+  const bool isOfCloud = !node && scene.cloud && !scene.cloud->layers.empty();
+  if (isOfCloud) node = root["cloud"]["layer"].node();
   if (!node) return;
   const Place place = placeOf(node->source(), complaints);
   std::vector<LayerSettings>& layers = scene.trace.paths.layers;
   if (root.contains("layer")) {
-    complaints.add(place, "'layers' cannot be used together with [[layer]]", "leave one of them out");
+    complaints.add(place,
+                   std::string(isOfCloud ? "[[cloud.layer]]" : "'layers'") + " cannot be used together with [[layer]]",
+                   isOfCloud ? "the picture has a layer for each population then" : "leave one of them out");
     return;
   }
   if (scene.populations.size() > kMostLayers) {

@@ -98,6 +98,19 @@ void checkAir(const toml::table& root, const Scene& scene, Complaints& complaint
                  "leave 'spectrum' out, or say \"sun\"; the air reddens it by itself");
 }
 
+/// Complains about keys that change nothing where a scene says nothing of air. With `air = false` they wait for it.
+void checkWithoutAir(const toml::table& root, Complaints& complaints) {
+  if (root["sky"]["air"]) return;
+  const auto complain = [&](const char* table, const char* key) {
+    if (const toml::node* node = root[table][key].node())
+      complaints.add(placeOf(node->source(), complaints),
+                     std::string("'") + table + "." + key + "' changes nothing where there is no air",
+                     "say air = true in [sky], or air = false to keep it for later");
+  };
+  for (const char* key : {"ozone", "aerosol", "ground"}) complain("sky", key);
+  complain("observer", "altitude");
+}
+
 Scene readScene(const toml::table& root, Complaints& complaints) {
   Scene scene;
   TableReader reader(root, "", complaints);
@@ -110,6 +123,8 @@ Scene readScene(const toml::table& root, Complaints& complaints) {
   checkSymmetry(root, scene, complaints);
   checkAir(root, scene, complaints);
   checkConcave(root, scene, complaints);
+  checkWithoutAir(root, complaints);
+  checkCloudLayers(root, scene, complaints);
   addLayerPerPopulation(root, scene, complaints);
   checkLayers(root, scene, complaints);
   return scene;

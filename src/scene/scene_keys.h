@@ -327,10 +327,24 @@ void visitKeys(Visitor& v, ReconSettings& r) {
         "marvasti: factor of the first picture and of each correction; 1 when left out.");
 }
 
+/// [[cloud.layer]] as its keys say it.
+struct SlabLayerKeys {
+  std::vector<std::string> populations;
+  std::optional<double> opticalDepth = std::nullopt;
+};
+
+template <class Visitor>
+void visitKeys(Visitor& v, SlabLayerKeys& layer) {
+  v.key("populations", kinds::Names{}, layer.populations, "What it is made of: names of populations.");
+  v.key("optical_depth", kinds::Optional{kinds::Number{{0, 1e4, true}}}, layer.opticalDepth,
+        "Vertical depth of the layer by the shadows of its crystals.");
+}
+
 /// [cloud] as its keys say it.
 struct SlabKeys {
   std::optional<double> opticalDepth = std::nullopt;
   int orders = 1;
+  std::vector<SlabLayer> layers;
 };
 
 template <class Visitor>
@@ -339,6 +353,8 @@ void visitKeys(Visitor& v, SlabKeys& slab) {
         "Vertical depth of the cloud by the shadows of its crystals. Pictures are in cd/m2 then.");
   v.key("orders", kinds::Orders{}, slab.orders,
         "How often light may be scattered: 1, 2 and so on, or \"all\" until it has left the cloud.");
+  v.key("layer", kinds::SlabLayers{}, slab.layers,
+        "Layers from top to bottom, each with its own populations and depth, in the place of one depth for all.");
 }
 
 template <class Visitor>

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <utility>
+
 #include "scene/scene_keys.h"
+#include "sky/sky_tally.h"
 
 namespace parhelion {
 
@@ -57,19 +60,60 @@ Json kinds::Phase::schema() const {
   return {{"anyOf", {list, {{"type", "string"}, {"pattern", "\\.csv$"}}}}};
 }
 
+bool kinds::SlabLayers::read(const Value& in, std::vector<SlabLayer>& out) const {
+  const toml::array* list = in.node.as_array();
+  if (!list || list->empty())
+    return in.mustBe("a list of tables", "begin each layer with [[cloud.layer]], in double brackets");
+  if (list->size() > kMostLayers)
+    return in.reject(std::to_string(list->size()) + " layers are too many; at most " + std::to_string(kMostLayers));
+  bool isWhole = true;
+  for (const toml::node& node : *list) {
+    const toml::table* table = node.as_table();
+    if (!table) return Value{node, in.key, in.complaints}.mustBe("a list of tables");
+    TableReader reader(*table, "[[cloud.layer]]", in.complaints);
+    SlabLayerKeys keys;
+    visitKeys(reader, keys);
+    isWhole = reader.rejectUnknown() && isWhole;
+    for (const auto& [key, hint] :
+         {std::pair("populations", "populations = [\"plates\"]"), std::pair("optical_depth", "optical_depth = 0.3")}) {
+      if (!reader.has(key))
+        in.complaints.add(placeOf(node.source(), in.complaints), std::string("a layer of a cloud needs '") + key + "'",
+                          hint);
+      isWhole = isWhole && reader.has(key) && !reader.rejected(key);
+    }
+    out.push_back({keys.populations, keys.opticalDepth.value_or(0.0)});
+  }
+  return isWhole;
+}
+
+Json kinds::SlabLayers::schema() const {
+  Json layer = tableSchema<SlabLayerKeys>();
+  layer["required"] = {"populations", "optical_depth"};
+  return {{"type", "array"}, {"minItems", 1}, {"maxItems", kMostLayers}, {"items", layer}};
+}
+
 bool kinds::Slab::read(const Value& in, std::optional<SlabSettings>& out) const {
   const toml::table* table = in.node.as_table();
   if (!table) return in.mustBe("a table");
   TableReader reader(*table, "[cloud]", in.complaints);
   SlabKeys keys;
   visitKeys(reader, keys);
-  if (!reader.rejectUnknown() || reader.rejected("optical_depth") || reader.rejected("orders")) return false;
-  if (!keys.opticalDepth) {
+  const bool isKnown = reader.rejectUnknown();
+  for (const char* key : {"optical_depth", "orders", "layer"})
+    if (!isKnown || reader.rejected(key)) return false;
+  if (keys.opticalDepth && !keys.layers.empty()) {
+    reader.reject("optical_depth", "'optical_depth' cannot be used together with [[cloud.layer]]",
+                  "each layer has its own");
+    return false;
+  }
+  if (!keys.opticalDepth && keys.layers.empty()) {
     in.complaints.add(placeOf(in.node.source(), in.complaints), "[cloud] needs an 'optical_depth'",
                       "the vertical one, by the shadows of the crystals: optical_depth = 0.3");
     return false;
   }
-  out = SlabSettings{*keys.opticalDepth, keys.orders};
+  double sum = 0.0;
+  for (const SlabLayer& layer : keys.layers) sum += layer.opticalDepth;
+  out = SlabSettings{keys.opticalDepth.value_or(sum), keys.orders, std::move(keys.layers)};
   return true;
 }
 

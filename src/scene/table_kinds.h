@@ -107,7 +107,14 @@ struct Phase {
   Json write(const PhaseTable&) const { return {}; }
 };
 
-/// [cloud], whose depth must be said.
+/// The list of [[cloud.layer]] tables.
+struct SlabLayers {
+  bool read(const Value& in, std::vector<SlabLayer>& out) const;
+  Json schema() const;
+  Json write(const std::vector<SlabLayer>&) const { return {}; }
+};
+
+/// [cloud], whose depth must be said, or that of each of its layers.
 struct Slab {
   bool read(const Value& in, std::optional<SlabSettings>& out) const;
   Json schema() const;

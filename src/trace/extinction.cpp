@@ -98,12 +98,14 @@ double Extinction::Table::at(const Place& place) const {
 }
 
 Extinction::Kind Extinction::kindOf(const SunSettings& sun, const IceSettings& ice,
-                                    const PopulationSettings& settings) {
+                                    std::span<const PopulationSettings> populations, std::size_t number) {
+  const PopulationSettings& settings = populations[number];
   const Population population(settings);
   const std::vector<FaceTable> shapes = shapesOf(population);
   const int columns = hasFreeAzimuths(settings) ? 1 : kAzimuths;
   const bool isRandom = population.isFullyRandom();
-  Kind kind{population.weight(), {isRandom ? 1 : kShadowRows, columns}, {isRandom ? 1 : kUndeviatedRows, columns}};
+  Kind kind{
+      number, population.weight(), {isRandom ? 1 : kShadowRows, columns}, {isRandom ? 1 : kUndeviatedRows, columns}};
   if (isRandom) kind.shadow[0] = kRandomShadow;
   if (!isRandom)
     forEach(kind.shadow.size(),
@@ -124,11 +126,28 @@ Extinction::Kind Extinction::kindOf(const SunSettings& sun, const IceSettings& i
 
 Extinction::Extinction(const SunSettings& sun, const IceSettings& ice, std::span<const PopulationSettings> populations,
                        std::span<const HazeSettings> hazes) {
-  for (const PopulationSettings& population : populations)
-    if (population.weight > 0.0) kinds_.push_back(kindOf(sun, ice, population));
-  for (const HazeSettings& haze : hazes) haze_ += haze.weight * kRandomShadow;
+  for (std::size_t p = 0; p < populations.size(); ++p)
+    if (populations[p].weight > 0.0) kinds_.push_back(kindOf(sun, ice, populations, p));
+  for (const HazeSettings& haze : hazes) hazes_.push_back(haze.weight * kRandomShadow);
+  sumUp();
+}
+
+void Extinction::sumUp() {
+  haze_ = 0.0;
+  for (const double haze : hazes_) haze_ += haze;
   if (kinds_.empty() && !(haze_ > 0.0)) throw std::invalid_argument("no population has any weight");
+  zenith_ = 1.0;
   zenith_ = at(Vec3(0.0, 0.0, 1.0)).shadow;
+}
+
+Extinction Extinction::part(std::span<const std::size_t> populations, std::span<const std::size_t> hazes) const {
+  Extinction some = *this;
+  std::erase_if(some.kinds_,
+                [&](const Kind& kind) { return std::ranges::find(populations, kind.population) == populations.end(); });
+  for (std::size_t h = 0; h < some.hazes_.size(); ++h)
+    if (std::ranges::find(hazes, h) == hazes.end()) some.hazes_[h] = 0.0;
+  some.sumUp();
+  return some;
 }
 
 bool Extinction::isSameAllAround() const {

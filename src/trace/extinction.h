@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -24,6 +25,10 @@ class Extinction {
   Extinction(const SunSettings& sun, const IceSettings& ice, std::span<const PopulationSettings> populations,
              std::span<const HazeSettings> hazes = {});
 
+  /// Of some of the populations and hazes alone, by their indices. Throws std::invalid_argument when none of them has
+  /// any weight.
+  Extinction part(std::span<const std::size_t> populations, std::span<const std::size_t> hazes) const;
+
   struct Crystals {
     double shadow;        // their mean, in units of that of light from the zenith
     double undeviated;    // how much of what meets them goes on as if they were not there, through parallel faces
@@ -35,6 +40,13 @@ class Extinction {
 
   /// What light from a direction meets.
   Crystals at(const Vec3& toLight) const;
+
+  /// What is 1 for at(): the mean shadow on light from the zenith, in units of the surface that a weight of 1 stands
+  /// for.
+  double zenithShadow() const { return zenith_; }
+
+  /// The shadow of haze in the same units, from all sides.
+  double hazeShadow(std::size_t haze) const { return hazes_[haze]; }
 
  private:
   /// A direction of the upper half of the sky: the root of its elevation over a right angle, and its azimuth in turns.
@@ -61,13 +73,17 @@ class Extinction {
   };
 
   struct Kind {
+    std::size_t population;
     double weight;
     Table shadow, undeviated;
   };
-  static Kind kindOf(const SunSettings& sun, const IceSettings& ice, const PopulationSettings& population);
+  static Kind kindOf(const SunSettings& sun, const IceSettings& ice, std::span<const PopulationSettings> populations,
+                     std::size_t population);
+  void sumUp();
 
   std::vector<Kind> kinds_;
-  double haze_ = 0.0;  // its shadow, from all sides
+  std::vector<double> hazes_;  // their shadows, from all sides
+  double haze_ = 0.0;          // all of them
   double zenith_ = 1.0;
 };
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "math/portable.h"
 
@@ -43,53 +44,96 @@ double mostIntercepted(const FaceTable& faces, const AngleQuantile* stretch) {
   return most;
 }
 
-/// Those that have any weight.
 // A population whose shapes are spread is so many of one shape each.
 constexpr int kShapes = 32;
 
-std::vector<PopulationSettings> withWeight(const std::vector<PopulationSettings>& all) {
-  std::vector<PopulationSettings> some;
-  for (const PopulationSettings& one : all)
-    if (one.weight > 0.0) std::ranges::copy(withFixedShapes(one, kShapes), std::back_inserter(some));
-  return some;
+/// What a population is drawn as; nothing where it has no weight.
+std::vector<PopulationSettings> drawnAs(const PopulationSettings& one) {
+  if (!(one.weight > 0.0)) return {};
+  return withFixedShapes(one, kShapes);
 }
 
 }  // namespace
 
 double takenOver(double depth) { return depth < 1e-5 ? depth - 0.5 * depth * depth : 1.0 - portable::exp(-depth); }
 
-ManyOrders::ManyOrders(SlabContents contents, const SlabSettings& slab, const Extinction& extinction, Engine engine)
+ManyOrders::ManyOrders(SlabContents contents, int orders, const SlabStack& stack, Engine engine)
     : sun_(contents.sun),
       disc_(sun_.isPoint() ? nullptr : std::make_unique<SunDisc>(sun_.disc())),
       spectrum_(contents.sun.spectrum),
       ice_(contents.ice),
-      depth_(extinction, slab.opticalDepth),
-      orders_(slab.orders),
-      scattered_(takenOver(depth_.along(sun_.toCentre()))),
+      orders_(orders),
       someMesh_(meshOf(PrismSettings{})) {
-  double all = 0.0;
-  if (const auto populations = withWeight(contents.populations); !populations.empty()) {
+  std::vector<PopulationSettings> populations;
+  for (const PopulationSettings& one : contents.populations)
+    std::ranges::copy(drawnAs(one), std::back_inserter(populations));
+  if (!populations.empty()) {
     cloud_.emplace(contents.sun, contents.ice, populations);
     engines_ = makeIntersectors(*cloud_, engine);
     paths_.emplace(*cloud_, PathSettings{});
-    for (int p = 0; p < static_cast<int>(populations.size()); ++p) {
-      const Population& population = cloud_->populations()[static_cast<std::size_t>(p)];
-      const double bound = mostIntercepted(cloud_->faces(p), population.stretch());
-      all += population.weight() * bound;
-      kinds_.push_back({p, false, bound, all});
-    }
   }
-  for (const HazeSettings& haze : contents.hazes) {
-    all += haze.weight * kRandomShadow;
-    kinds_.push_back({static_cast<int>(phases_.size()), true, kRandomShadow, all});
-    phases_.emplace_back(haze.phase);
-  }
-  for (Kind& kind : kinds_) kind.below /= all;
+  for (const HazeSettings& haze : contents.hazes) phases_.emplace_back(haze.phase);
+  for (const SlabStack::Layer& layer : stack.layers())
+    layers_.push_back({SlabDepth(layer.extinction, layer.opticalDepth), kindsOf(contents, layer)});
+  scattered_ = takenOver(depthFrom({}, -sun_.toCentre()));
 }
 
-const ManyOrders::Kind& ManyOrders::kindAt(double u) const {
-  const auto found = std::ranges::upper_bound(kinds_, u, {}, &Kind::below);
-  return found == kinds_.end() ? kinds_.back() : *found;
+std::vector<ManyOrders::Kind> ManyOrders::kindsOf(const SlabContents& contents, const SlabStack::Layer& layer) const {
+  std::vector<Kind> kinds;
+  double all = 0.0;
+  std::size_t first = 0;  // of the cloud's, which has several for a population whose shapes are spread
+  for (std::size_t number = 0; number < contents.populations.size(); ++number) {
+    const std::size_t count = drawnAs(contents.populations[number]).size();
+    const bool isOwn = std::ranges::find(layer.populations, number) != layer.populations.end();
+    for (std::size_t p = first; p < first + count && isOwn; ++p) {
+      const Population& population = cloud_->populations()[p];
+      const double bound = mostIntercepted(cloud_->faces(static_cast<int>(p)), population.stretch());
+      all += population.weight() * bound;
+      kinds.push_back({static_cast<int>(p), false, bound, all});
+    }
+    first += count;
+  }
+  for (const std::size_t haze : layer.hazes) {
+    all += contents.hazes[haze].weight * kRandomShadow;
+    kinds.push_back({static_cast<int>(haze), true, kRandomShadow, all});
+  }
+  for (Kind& kind : kinds) kind.below /= all;
+  return kinds;
+}
+
+const ManyOrders::Kind& ManyOrders::kindAt(std::size_t layer, double u) const {
+  const std::vector<Kind>& kinds = layers_[layer].kinds;
+  const auto found = std::ranges::upper_bound(kinds, u, {}, &Kind::below);
+  return found == kinds.end() ? kinds.back() : *found;
+}
+
+double ManyOrders::depthFrom(const SlabPlace& place, const Vec3& direction) const {
+  const bool goesDown = direction.z < 0.0;
+  double depth = layers_[place.layer].depth.along(direction) * (goesDown ? 1.0 - place.down : place.down);
+  if (layers_.size() == 1) return depth;
+  for (std::size_t other = 0; other < layers_.size(); ++other)
+    if (goesDown ? other > place.layer : other < place.layer) depth += layers_[other].depth.along(direction);
+  return depth;
+}
+
+SlabPlace ManyOrders::onward(SlabPlace place, const Vec3& direction, double share) const {
+  const bool goesDown = direction.z < 0.0;
+  if (layers_.size() == 1) {
+    place.down += share * (goesDown ? 1.0 - place.down : -place.down);
+    return place;
+  }
+  double left = share * depthFrom(place, direction);
+  for (;;) {
+    const double whole = layers_[place.layer].depth.along(direction);
+    const double reach = whole * (goesDown ? 1.0 - place.down : place.down);
+    const bool isLast = place.layer == (goesDown ? layers_.size() - 1 : 0);
+    if (left <= reach || isLast) {
+      place.down = std::clamp(place.down + (goesDown ? left : -left) / whole, 0.0, 1.0);
+      return place;
+    }
+    left -= reach;
+    place = goesDown ? SlabPlace{place.layer + 1, 0.0} : SlabPlace{place.layer - 1, 1.0};
+  }
 }
 
 Vec3 ManyOrders::sunlight(double u1, double u2) const {

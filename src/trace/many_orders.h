@@ -14,6 +14,7 @@
 #include "trace/phase_function.h"
 #include "trace/slab_depth.h"
 #include "trace/slab_settings.h"
+#include "trace/slab_stack.h"
 
 namespace parhelion {
 
@@ -25,13 +26,19 @@ struct SlabContents {
   std::vector<HazeSettings> hazes;
 };
 
+/// A place in a slab: in which of its layers, counted from the top, and how far down in it, from 0 to 1.
+struct SlabPlace {
+  std::size_t layer = 0;
+  double down = 0.0;
+};
+
 /// Sunlight in a slab of crystals, and how it is scattered there by one crystal after the other: what walks are drawn
 /// from. Immutable; safe to use from many threads.
 class ManyOrders {
  public:
-  /// `extinction` is that of the contents and must outlive it. Throws as Extinction does, and std::runtime_error when
-  /// the engine fails.
-  ManyOrders(SlabContents contents, const SlabSettings& slab, const Extinction& extinction, Engine engine);
+  /// `stack` is that of the contents and must outlive it; light may be scattered `orders` times. Throws
+  /// std::runtime_error when the engine fails.
+  ManyOrders(SlabContents contents, int orders, const SlabStack& stack, Engine engine);
 
   /// Crystals are proposed in proportion to their surface times a bound of their interception (IncidenceTable), and
   /// taken in proportion to the interception itself.
@@ -41,8 +48,13 @@ class ManyOrders {
     double bound;
     double below;  // share of the proposals of this kind and those before it
   };
-  const std::vector<Kind>& kinds() const { return kinds_; }
-  const Kind& kindAt(double u) const;
+  const Kind& kindAt(std::size_t layer, double u) const;
+
+  /// Optical depth from a place to where light leaves the slab; SlabDepth says of which light.
+  double depthFrom(const SlabPlace& place, const Vec3& direction) const;
+
+  /// Where light is that has gone through that share of depthFrom().
+  SlabPlace onward(SlabPlace place, const Vec3& direction, double share) const;
 
   /// A direction of sunlight, for two numbers in (0, 1).
   Vec3 sunlight(double u1, double u2) const;
@@ -58,7 +70,6 @@ class ManyOrders {
   const std::vector<PhaseFunction>& phases() const { return phases_; }
   const Sun& sun() const { return sun_; }
   const Spectrum& spectrum() const { return spectrum_; }
-  const SlabDepth& depth() const { return depth_; }
   int orders() const { return orders_; }
 
   /// Share of sunlight from the middle of the sun that the slab scatters.
@@ -76,8 +87,13 @@ class ManyOrders {
   Intersectors engines_;
   std::optional<PathPlan> paths_;
   std::vector<PhaseFunction> phases_;
-  std::vector<Kind> kinds_;
-  SlabDepth depth_;
+  struct Layer {
+    SlabDepth depth;
+    std::vector<Kind> kinds;
+  };
+  std::vector<Kind> kindsOf(const SlabContents& contents, const SlabStack::Layer& layer) const;
+
+  std::vector<Layer> layers_;
   int orders_;
   double scattered_;
   CrystalMesh someMesh_;

@@ -108,16 +108,11 @@ void OrderWalker::follow(std::uint64_t first, std::uint64_t count) {
   }
 }
 
-/// The depth of the slab from a place to where light leaves it.
-double OrderWalker::depthFrom(double place, const Vec3& direction) const {
-  return slab_.depth().along(direction) * (direction.z < 0.0 ? 1.0 - place : place);
-}
-
 /// Light that comes from the sun.
 void OrderWalker::begin(std::uint64_t number) {
   WalkNumbers numbers(seed_, bundleOf(number, 0), 0);
   const double u1 = numbers.next(), u2 = numbers.next();
-  Walk walk{number, slab_.light(numbers.next()), 0.0, slab_.sunlight(u1, u2), Vec3(0.0), 0.0, 0.0};
+  Walk walk{number, slab_.light(numbers.next()), 0.0, slab_.sunlight(u1, u2), Vec3(0.0), {}, 0.0};
   const FixedLight units = toFixedLight(walk.light.xyz, perWhite_);
   light_.light.addUnits(walk.light.light == walk.light.xyz.y ? units.y : toFixed(walk.light.light));
   light_.xyz[0].addUnits(units.x);
@@ -125,7 +120,7 @@ void OrderWalker::begin(std::uint64_t number) {
   light_.xyz[2].addUnits(units.z);
   if (!(walk.sunlight.z < 0.0)) return;  // from below the horizon
   walk.iceIndex = slab_.iceIndex(walk.light.wavelength, number);
-  const double depth = depthFrom(0.0, walk.sunlight);
+  const double depth = slab_.depthFrom({}, walk.sunlight);
   // Light from the upper parts of a low sun's disc brings more to a level surface.
   const double brought = -walk.sunlight.z / slab_.sun().toCentre().z;
   walk.weight = brought * takenOver(depth);
@@ -141,14 +136,14 @@ void OrderWalker::goOn(Walk& walk, const Vec3& direction, double depth, double u
   walk.direction = direction;
   const double taken = takenOver(depth);
   const double share = depth < 1e-5 ? u : std::min(1.0, -portable::log(1.0 - u * taken) / depth);
-  walk.place += share * (direction.z < 0.0 ? 1.0 - walk.place : -walk.place);
+  walk.place = slab_.onward(walk.place, direction, share);
 }
 
 void OrderWalker::drawCrystal(std::size_t index) {
   Walk& walk = walks_[index];
   ++walk.step;
   WalkNumbers numbers(seed_, bundleOf(walk.number, walk.step), 0);
-  while (!proposeCrystal(slab_.kindAt(numbers.next()), index, numbers)) {
+  while (!proposeCrystal(slab_.kindAt(walk.place.layer, numbers.next()), index, numbers)) {
   }
 }
 
@@ -260,7 +255,7 @@ void OrderWalker::scatterByHaze(int haze) {
 void OrderWalker::settle(Walk& walk, ExitList& exits, WalkNumbers& numbers) {
   double deviated = 0.0;
   for (Way& way : ways_) {
-    way.on = takenOver(depthFrom(walk.place, exits.lightDir(way.exit)));
+    way.on = takenOver(slab_.depthFrom(walk.place, exits.lightDir(way.exit)));
     way.out = 1.0 - way.on;
     deviated += way.energy;
     deposit(walk, exits, way);
@@ -310,7 +305,7 @@ void OrderWalker::scatter(Walk& walk, const ExitList& exits, double deviated, Wa
     if ((left -= way.energy * way.on) < 0.0) break;
   }
   const Vec3 direction = exits.lightDir(chosen->exit);
-  goOn(walk, direction, depthFrom(walk.place, direction), numbers.next());
+  goOn(walk, direction, slab_.depthFrom(walk.place, direction), numbers.next());
 }
 
 /// Shares light out among the ways by what leaves the slab along each.

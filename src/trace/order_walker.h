@@ -61,7 +61,7 @@ class OrderWalker {
     SpectralSample light;
     double iceIndex;
     Vec3 sunlight, direction;  // unit, of light
-    double place;              // of the next crystal: 0 at the top, 1 at the bottom
+    SlabPlace place;           // of the next crystal
     double weight;
     int order = 0;  // deviations so far
     int step = 0;   // crystals drawn so far
@@ -91,7 +91,6 @@ class OrderWalker {
   void scatter(Walk& walk, const ExitList& exits, double deviated, WalkNumbers& numbers);
   void countOut(const Walk& walk, const ExitList& exits, double light);
   void goOn(Walk& walk, const Vec3& direction, double depth, double u);
-  double depthFrom(double place, const Vec3& direction) const;
 
   const ManyOrders& slab_;
   const OrderDeposits& deposits_;

@@ -56,14 +56,15 @@ std::vector<float> averaged(const std::vector<float>& samples, int width, const 
 }
 
 /// The layout with so many columns.
-SheetLayout layoutOf(int pictures, int columns, int width, int height, int labelHeight) {
+SheetLayout layoutOf(int pictures, int columns, int width, int height, int labelHeight, int labelWidth) {
   const int rows = (pictures + columns - 1) / columns;
   const auto share = [](int count, int extent) {
     return static_cast<double>(kMostAcross - kGap * (count + 1)) / count / extent;
   };
   const double scale = std::min({1.0, share(columns, width), share(rows, height)});
   const auto scaled = [scale](int extent) { return std::max(1, static_cast<int>(std::floor(scale * extent))); };
-  return {columns, rows, scaled(width), scaled(height), labelHeight};
+  const int room = (kMostAcross - kGap) / columns - kGap;
+  return {columns, rows, scaled(width), scaled(height), labelHeight, std::min(labelWidth, room)};
 }
 
 void paste(Preview& sheet, const Preview& picture, int left, int top) {
@@ -98,17 +99,26 @@ double textSize(const Canvas& canvas, std::span<const SheetCell> cells, double w
 
 }  // namespace
 
-int SheetLayout::width() const { return columns * (pictureWidth + kGap) + kGap; }
+int SheetLayout::width() const { return columns * (columnWidth() + kGap) + kGap; }
 int SheetLayout::height() const { return rows * (pictureHeight + labelHeight + kGap) + kGap; }
 
-SheetLayout layOutSheet(std::size_t pictures, int width, int height, int labelLines) {
+int labelWidthOf(std::span<const std::string> labels) {
+  constexpr int kMostLabelWidth = 200;
+  const Canvas canvas(1, 1);
+  int widest = 0;
+  for (const std::string& label : labels)
+    widest = std::max(widest, static_cast<int>(std::ceil(canvas.textBox(label, kLeastTextSize).size().x)) + 2);
+  return std::min(widest, kMostLabelWidth);
+}
+
+SheetLayout layOutSheet(std::size_t pictures, int width, int height, int labelLines, int labelWidth) {
   const int count = static_cast<int>(std::min(pictures, kMaxSheetPictures));
   const auto unevenness = [](const SheetLayout& layout) {
     return std::max(layout.width(), layout.height()) / static_cast<double>(std::min(layout.width(), layout.height()));
   };
   SheetLayout best;
   for (int columns = 1; columns <= std::max(1, count); ++columns) {
-    const SheetLayout layout = layoutOf(count, columns, width, height, labelLines * kLineHeight);
+    const SheetLayout layout = layoutOf(count, columns, width, height, labelLines * kLineHeight, labelWidth);
     if (columns == 1 || unevenness(layout) <= unevenness(best)) best = layout;
   }
   return best;
@@ -134,17 +144,17 @@ Preview contactSheet(const SheetLayout& layout, std::span<const SheetCell> cells
   sheet.rgb.assign(std::size_t{3} * static_cast<std::size_t>(sheet.width) * static_cast<std::size_t>(sheet.height),
                    kPaper);
   Canvas canvas(sheet.width, sheet.height);
-  const double size = textSize(canvas, cells, layout.pictureWidth);
+  const double size = textSize(canvas, cells, layout.columnWidth());
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const int column = static_cast<int>(i) % layout.columns, row = static_cast<int>(i) / layout.columns;
-    const int left = kGap + column * (layout.pictureWidth + kGap);
+    const int left = kGap + column * (layout.columnWidth() + kGap);
     const int top = kGap + row * (layout.pictureHeight + layout.labelHeight + kGap);
     const Preview picture = developPreview(cells[i].picture, tone);
     sheet.badPixels += picture.badPixels;
-    paste(sheet, picture, left + (layout.pictureWidth - picture.width) / 2,
+    paste(sheet, picture, left + (layout.columnWidth() - picture.width) / 2,
           top + (layout.pictureHeight - picture.height) / 2);
     for (std::size_t line = 0; line < cells[i].labels.size(); ++line)
-      canvas.text(fitting(canvas, cells[i].labels[line], size, layout.pictureWidth),
+      canvas.text(fitting(canvas, cells[i].labels[line], size, layout.columnWidth()),
                   Vec2(left, top + layout.pictureHeight + kLineHeight * static_cast<int>(line)), size, kInk,
                   kNoOutline);
   }

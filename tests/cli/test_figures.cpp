@@ -39,5 +39,6 @@ TEST_CASE("the script that makes the figures of photographs, views and sweeps ru
   CHECK(readPhotograph(folder / "panorama-halo.png").width == 512);
   CHECK(readPhotograph(folder / "views.png").width == 4 * 480 + 3 * 4);
   CHECK(readFile(folder / "views-profile.svg").find("<svg") != std::string::npos);
-  CHECK(readPhotograph(folder / "sweep.png").width > 800);
+  for (const char* sheet : {"sweep.png", "sunrise.png", "thin-to-thick-depths.png"})
+    CHECK(readPhotograph(folder / sheet).width > 800);
 }

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
+#include <tuple>
 
 #include "picture/exr.h"
 #include "picture/photograph.h"
@@ -72,7 +74,9 @@ TEST_CASE("a picture in absolute units is exposed by an exposure value, on any t
 
 TEST_CASE("glare puts a veil around the sun that is drawn, and needs to know the camera") {
   WithSky folder;
-  REQUIRE(run(folder, "parhelion render s.toml -D sun.visible=true -o sun.exr --quiet").exit == 0);
+  REQUIRE(
+      run(folder, "parhelion render s.toml -D sun.visible=true -D camera.image_circle=80 -o sun.exr --quiet").exit ==
+      0);
   REQUIRE(run(folder, "parhelion view sun.exr --exposure -3 --glare eye -o dazzled.png").exit == 0);
   REQUIRE(run(folder, "parhelion view sun.exr --exposure -3 --glare none -o plain.png").exit == 0);
   const auto dazzled = samples(readPhotograph(folder / "dazzled.png"));
@@ -83,6 +87,8 @@ TEST_CASE("glare puts a veil around the sun that is drawn, and needs to know the
     without += plain[i];
   }
   CHECK(with > 1.02 * without);
+  // The corners of a fisheye show nothing, with glare or without.
+  for (int c = 0; c < 3; ++c) CHECK(dazzled[static_cast<std::size_t>(c)] == 0);
   parhelion::Image image{2, 1, {}};
   for (const char* name : {"R", "G", "B"}) image.add(name) = {4.0F, 128.0F};
   parhelion::writeBeautyExr(folder / "bare.exr", image, {});
@@ -162,6 +168,34 @@ TEST_CASE("an overlay names what the scene's crystals make, or those that are as
   lines("s.exr --overlay --crystals plates,columns");
   lines("s.exr --overlay --crystals plates --no-below-horizon");
   CHECK(different.size() == 5);
+}
+
+TEST_CASE("an overlay names no halos on the ground, nor where no sunlight reaches the crystals") {
+  WithSky folder;
+  const auto lines = [&](const std::string& scene, const std::string& options = "") {
+    const Outcome made = run(folder, "parhelion render s.toml -o sky.exr --rays 1k --overwrite " + scene);
+    CHECK_MESSAGE(made.exit == 0, made.err);
+    const Outcome outcome = run(folder, "parhelion view sky.exr --halos --layer lines.png --overwrite" + options);
+    CHECK_MESSAGE(outcome.exit == 0, outcome.err);
+    const auto drawn = samples(readPhotograph(folder / "lines.png"));
+    return std::tuple(std::ranges::any_of(drawn, [](int sample) { return sample != 0; }), made.err, outcome.err);
+  };
+  const std::string down = "-D camera.elevation=-90 -D sun.elevation=30 ";
+  CHECK(std::get<0>(lines(down)));
+  CHECK(std::get<0>(lines(down + "-D sky.air=true -D observer.altitude=3000")));
+  CHECK_FALSE(std::get<0>(lines(down + "-D sky.air=true")));
+  CHECK_FALSE(std::get<0>(lines(down + "-D camera.horizon=cut")));
+  CHECK(std::get<0>(lines(down + "-D sky.air=true", " --below-horizon")));
+  const std::string set = "-D sun.elevation=-3 -D camera.elevation=60 ";
+  CHECK(std::get<0>(lines(set)));
+  const auto [drawn, made, viewed] = lines(set + "-D sky.air=true");
+  CHECK_FALSE(drawn);
+  CHECK(made.find("there is no halo: the sun is below the horizon") != std::string::npos);
+  CHECK(viewed.find("no halos: the sun is below the horizon") != std::string::npos);
+  const auto [inCloud, clouded, ofCloud] = lines(set + "-D cloud.optical_depth=1");
+  CHECK_FALSE(inCloud);
+  CHECK(clouded.find("there is no halo: a cloud without an end takes all light of a sun that is not above the") !=
+        std::string::npos);
 }
 
 TEST_CASE("side by side both pictures are treated alike") {

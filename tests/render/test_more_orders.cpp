@@ -42,7 +42,7 @@ WalkedTally walk(const LoadedScene& loaded, int first, std::uint64_t walks, cons
                  int threads = 2) {
   const Scene& scene = loaded.scene;
   const SlabLight slab(scene, 0.0);
-  const ManyOrders orders({scene.sun, scene.ice, scene.populations, scene.hazes}, *scene.cloud, slab.extinction(),
+  const ManyOrders orders({scene.sun, scene.ice, scene.populations, scene.hazes}, scene.cloud->orders, slab.stack(),
                           Engine::automatic);
   TallyInfo info;
   info.camera = camera;
@@ -170,7 +170,7 @@ TEST_CASE("sun and observer can change places in a cloud of random crystals") {
     const LoadedScene loaded = sceneOf(sun, 1.0, "2");
     const Scene& scene = loaded.scene;
     const SlabLight slab(scene, 0.0);
-    const ManyOrders orders({scene.sun, scene.ice, scene.populations, {}}, *scene.cloud, slab.extinction(),
+    const ManyOrders orders({scene.sun, scene.ice, scene.populations, {}}, scene.cloud->orders, slab.stack(),
                             Engine::automatic);
     return std::pair(light.first * orders.scattered(), light.second * orders.scattered());
   };

@@ -86,3 +86,35 @@ TEST_CASE("a layer by order asks for light that the cloud has") {
   CHECK(messageOf(layered(twice, "order = 0")).starts_with("'order' must be"));
   CHECK(messageOf(kCrystals + twice + "[trace]\nfilter = \"3-5\"\n").starts_with("a filter keeps paths through one"));
 }
+
+TEST_CASE("a cloud may have layers with populations and depths of their own") {
+  const std::string two = hazeOf("") + "[cloud]\norders = 2\n";
+  const auto layer = [](const std::string& names, const std::string& depth) {
+    return "[[cloud.layer]]\npopulations = [" + names + "]\noptical_depth = " + depth + "\n";
+  };
+  const std::string crystals = "\"population 1\"", haze = "\"h\"";
+  const Scene scene = sceneOf(two + layer(crystals, "0.3") + layer(haze + ", " + crystals, "0.5"));
+  REQUIRE(scene.cloud->layers.size() == 2);
+  CHECK(scene.cloud->opticalDepth == 0.8);
+  CHECK(scene.cloud->layers[1].populations == std::vector<std::string>{"h", "population 1"});
+  CHECK(scene.cloud->layers[1].opticalDepth == 0.5);
+  // Crystals of each population are in another light.
+  REQUIRE(scene.trace.paths.layers.size() == 1);
+  CHECK(scene.trace.paths.layers[0].populations == std::vector<std::string>{"population 1"});
+  CHECK(sceneOf("layers = \"populations\"\n" + two + layer(crystals + ", " + haze, "1")).trace.paths.layers.size() ==
+        1);
+
+  CHECK(messageOf(two + layer(crystals, "0.3")) == "the population \"h\" is in no layer of the cloud");
+  CHECK(messageOf(two + layer(crystals + ", " + haze + ", \"x\"", "0.3")) == "there is no population \"x\"");
+  CHECK(messageOf(two + layer(crystals + ", " + haze, "-1")).starts_with("'optical_depth' must be a number"));
+  CHECK(messageOf(two + "[[cloud.layer]]\noptical_depth = 1\n") == "a layer of a cloud needs 'populations'");
+  CHECK(messageOf(two + "[[cloud.layer]]\npopulations = [\"h\"]\n") == "a layer of a cloud needs 'optical_depth'");
+  CHECK(messageOf(two + layer("", "1")).starts_with("'populations' must be a list of names"));
+  CHECK(messageOf(two + "layer = []\n").starts_with("'layer' must be a list of tables"));
+  CHECK(messageOf(two + "optical_depth = 1\n" + layer(crystals + ", " + haze, "1")) ==
+        "'optical_depth' cannot be used together with [[cloud.layer]]");
+  CHECK(messageOf(two + layer(crystals + ", " + haze, "1") + "[[layer]]\nname = \"l\"\n") ==
+        "[[cloud.layer]] cannot be used together with [[layer]]");
+  CHECK(messageOf("[[population]]\nweight = 0\n[[population]]\n[cloud]\n" + layer(crystals, "1") +
+                  layer("\"population 2\"", "1")) == "all populations of this layer have the weight 0");
+}

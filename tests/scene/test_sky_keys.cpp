@@ -35,7 +35,7 @@ TEST_CASE("a scene says its air in numbers, tables and names") {
   CHECK(scene.sky.aerosol.height == 2000.0);
   CHECK(scene.sky.ground == 0.8);
   CHECK(scene.observer.altitude == 1200.0);
-  const Scene shorter = sceneWith("sky = { aerosol = 0.2, ground = { albedo = 0.3 } }");
+  const Scene shorter = sceneWith("sky = { air = false, aerosol = 0.2, ground = { albedo = 0.3 } }");
   CHECK_FALSE(shorter.sky.air);
   CHECK(shorter.sky.aerosol.beta == 0.2);
   CHECK(shorter.sky.aerosol.alpha == AerosolSettings{}.alpha);
@@ -43,24 +43,34 @@ TEST_CASE("a scene says its air in numbers, tables and names") {
 }
 
 TEST_CASE("air that cannot be is told in one error each") {
-  CHECK(linesWith("sky.aerosol = { albedo = 1.2 }") ==
+  CHECK(linesWith("sky.aerosol = { albedo = 1.2 }\nsky.air = true") ==
         std::vector<std::string>{"1:26 'albedo' must be a number from 0 to 1, not 1.2"});
-  CHECK(errorsOf("sky.aerosol = { albedo = -0.1 }\n[[population]]").at(0).hint ==
+  CHECK(errorsOf("sky.aerosol = { albedo = -0.1 }\nsky.air = true\n[[population]]").at(0).hint ==
         "an aerosol cannot absorb or scatter more than it extinguishes");
-  CHECK(linesWith("sky.aerosol = -0.1") ==
+  CHECK(linesWith("sky.aerosol = -0.1\nsky.air = true") ==
         std::vector<std::string>{"1:15 'aerosol' must be a number from 0 to 10 or a table, not -0.1"});
-  CHECK(linesWith("sky.aerosol = { beta = -1 }") ==
+  CHECK(linesWith("sky.aerosol = { beta = -1 }\nsky.air = true") ==
         std::vector<std::string>{"1:24 'beta' must be a number from 0 to 10, not -1"});
-  CHECK(linesWith("sky.ozone = -300") ==
+  CHECK(linesWith("sky.ozone = -300\nsky.air = true") ==
         std::vector<std::string>{"1:13 'ozone' must be a number from 0 to 1000, not -300"});
-  CHECK(linesWith("sky.ground = { albedo = 2 }") ==
+  CHECK(linesWith("sky.ground = { albedo = 2 }\nsky.air = true") ==
         std::vector<std::string>{"1:25 'albedo' must be a number from 0 to 1, not 2"});
-  CHECK(errorsOf("sky.ground = 'snw'\n[[population]]").at(0).hint.find("did you mean 'snow'?") == 0);
-  CHECK(linesWith("observer.altitude = -5") ==
+  CHECK(errorsOf("sky.ground = 'snw'\nsky.air = true\n[[population]]").at(0).hint.find("did you mean 'snow'?") == 0);
+  CHECK(linesWith("observer.altitude = -5\nsky.air = true") ==
         std::vector<std::string>{"1:21 'altitude' must be a number from 0 to 50000, not -5"});
   CHECK(linesWith("sky.air = true\nsun.spectrum = 'D65'") ==
         std::vector<std::string>{"2:16 with 'sky.air' the sun has a spectrum of its own"});
   CHECK(linesWith("sky.air = true\nsun.spectrum = 'sun'").empty());
+}
+
+TEST_CASE("keys of the air and of the observer's altitude are errors where a scene says nothing of air") {
+  for (const char* key : {"sky.ozone = 200", "sky.aerosol = 0.1", "sky.ground = 'snow'", "observer.altitude = 3000"}) {
+    const std::string said = key, name = said.substr(0, said.find(' '));
+    CHECK(linesWith(said).at(0).ends_with(" '" + name + "' changes nothing where there is no air"));
+    CHECK(linesWith(said).size() == 1);
+    CHECK(linesWith(said + "\nsky.air = false").empty());
+    CHECK(linesWith(said + "\nsky.air = true").empty());
+  }
 }
 
 TEST_CASE("a summary tells the air where there is one") {
@@ -71,7 +81,7 @@ TEST_CASE("a summary tells the air where there is one") {
 
 TEST_CASE("what reddens the sun decides what becomes of rays, the ground does not") {
   const std::uint64_t none = hashWith(""), air = hashWith("sky.air = true");
-  CHECK(hashWith("sky.ozone = 500") == none);
+  CHECK(hashWith("sky = { air = false, ozone = 500 }") == none);
   CHECK(air != none);
   CHECK(hashWith("sky = { air = true, ground = 'snow' }") == air);
   CHECK(hashWith("sky = { air = true, aerosol = { g = 0.5, albedo = 0.8 } }") == air);

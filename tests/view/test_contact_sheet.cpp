@@ -157,3 +157,17 @@ TEST_CASE("one exposure serves all pictures of a sheet, and brighter frames come
   REQUIRE(layout.columns == 2);
   CHECK(middle(1) > middle(0) + 20);
 }
+
+TEST_CASE("small pictures have columns wide enough for their lines") {
+  const std::vector<std::string> lines{"cloud.optical_depth 0.05"};
+  const SheetLayout layout = layOutSheet(3, 30, 20, 1, labelWidthOf(lines));
+  CHECK(layout.pictureWidth == 30);
+  CHECK(layout.columnWidth() > 80);
+  // The beginning is there: another one makes another sheet.
+  SheetCell cell{grey(30, 20, 0.0F), lines}, other{grey(30, 20, 0.0F), {"zzzzz.optical_depth 0.05"}};
+  CHECK(contactSheet(layout, {&cell, 1}, {0.0}).rgb != contactSheet(layout, {&other, 1}, {0.0}).rgb);
+  const SheetLayout narrow = layOutSheet(3, 30, 20, 1);
+  CHECK(contactSheet(narrow, {&cell, 1}, {0.0}).rgb == contactSheet(narrow, {&other, 1}, {0.0}).rgb);
+  CHECK(layOutSheet(2500, 30, 20, 1, 200).width() <= 2000);
+  CHECK(labelWidthOf(std::vector<std::string>{std::string(1000, 'm')}) == 200);
+}
