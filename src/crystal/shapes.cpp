@@ -14,7 +14,12 @@ void setSides(const ShapeSpread& spread, double value, Sides& sides) {
     if (spread.sides[k]) sides[k] = value;
 }
 
-void set(const ShapeSpread& spread, double value, PrismSettings& prism) { setSides(spread, value, prism.sides); }
+void set(const ShapeSpread& spread, double value, PrismSettings& prism) {
+  if (spread.what == ShapeLength::aspect)
+    prism.aspect = FixedValue{value};
+  else
+    setSides(spread, value, prism.sides);
+}
 
 void set(const ShapeSpread& spread, double value, PyramidSettings& pyramid) {
   switch (spread.what) {

@@ -65,8 +65,6 @@ Syntax<AngleDistribution> syntaxOf(AngleValue::Of of) {
 
 Syntax<AngleDistribution> spreadSyntax() { return {"degrees", {}, {}, kSpreadDegrees, radians(1.0), true}; }
 
-Syntax<AspectDistribution> aspectSyntax() { return {"length / width", kAspectRange, kAspectRange, {0.0, 1e4}}; }
-
 std::string pairOf(const DistributionWords& words) {
   return std::string("[").append(words.first) + ", " + std::string(words.second) + "]";
 }
@@ -166,7 +164,20 @@ Json written(const Variant& distribution, double (*number)(double)) {
   return std::visit(Overloaded{fixed, spread}, distribution);
 }
 
-bool readAspect(const Value& in, PrismSettings& prism) { return aspectSyntax().read(in, prism.aspect); }
+bool readAspect(const Value& in, PrismSettings& prism) {
+  LengthDistribution aspect;
+  if (!Length{kAspectRange}.read(in, aspect)) return false;
+  // Crystals are stretched along c where they can be, and cut out anew where not.
+  std::visit(Overloaded{[&](const Laplace& d) {
+                          prism.spreads.push_back({ShapeLength::aspect, {}, d});
+                        },
+                        [&](const LogNormal& d) {
+                          prism.spreads.push_back({ShapeLength::aspect, {}, d});
+                        },
+                        [&](const auto& d) { prism.aspect = d; }},
+             aspect);
+  return true;
+}
 
 bool readAspect(const Value& in, PyramidSettings& pyramid) {
   LengthDistribution aspect;
@@ -226,13 +237,7 @@ bool Aspect::read(const Value& in, PopulationShape& out) const {
       out);
 }
 
-Json Aspect::schema() const {
-  Json schema = aspectSyntax().schema();
-  schema["anyOf"][0] = numberSchema(kFixedAspectRange);
-  // Those of pyramids, among which are those of prisms.
-  schema["anyOf"][1] = Length{kFixedAspectRange}.schema()["anyOf"][1];
-  return schema;
-}
+Json Aspect::schema() const { return Length{kFixedAspectRange}.schema(); }
 
 Json Aspect::write(const PopulationShape& value) const {
   return std::visit(

@@ -51,14 +51,16 @@ std::string shapesWith(std::string_view key) {
   return list;
 }
 
-void checkLength(TableReader& reader, const PyramidSettings& pyramid) {
+/// Complains about a pyramid that is too thin or too long; false where it does.
+bool checkLength(TableReader& reader, const PyramidSettings& pyramid) {
   const double length = lengthOverWidth(pyramid);
   const Range range{kThinnestAspect, kLongestAspect};
-  if (range.contains(length)) return;
+  if (range.contains(length)) return true;
   // With the other defaults no slope makes a crystal too thin, and none but a given one too long.
   reader.reject(
       length > kLongestAspect && reader.has("slope") ? "slope" : "aspect",
       "the crystal is " + formatNumber(length) + " times as long as wide; that must be a number " + range.text());
+  return false;
 }
 
 /// "a prism"
@@ -77,7 +79,8 @@ void checkShape(TableReader& reader, const PopulationKeys& keys) {
   for (const std::string_view key :
        {"aspect", "sides", "upper", "lower", "slope", "planes", "mesh", "cavity", "upper_cavity", "lower_cavity"})
     if (reader.rejected(key)) return;
-  if (const auto* pyramid = std::get_if<PyramidSettings>(&keys.shape)) checkLength(reader, *pyramid);
+  if (const auto* pyramid = std::get_if<PyramidSettings>(&keys.shape); pyramid && !checkLength(reader, *pyramid))
+    return;
   const auto* haze = std::get_if<HazeWords>(&keys.shape);
   if (reader.has("phase") && !haze)
     reader.reject("phase", oneOf(keys.shape) + " has no 'phase'", "it needs shape = \"haze\"");

@@ -168,7 +168,8 @@ void visitKeys(Visitor& v, PopulationKeys& p) {
   v.key(
       "aspect", kinds::Aspect{}, p.shape,
       "Length along the c axis over the distance between opposite vertices of the hexagon (of a pyramid: of its prism "
-      "part); or { normal = [mean, sigma] }, { uniform = [from, to] }, of pyramids also laplace and lognormal.");
+      "part); or { normal = [mean, sigma] }, { uniform = [from, to] }, { laplace = [mean, scale] }, "
+      "{ lognormal = [median, sigma] }.");
   v.key(
       "sides", kinds::SideDistances{}, p.shape,
       "Prisms and pyramids: distances of faces 3 to 8 from the c axis, over those of a regular crystal: six numbers or "

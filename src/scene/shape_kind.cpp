@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <set>
@@ -70,6 +72,15 @@ void tieSides(std::size_t period, const LengthDistribution& distribution, Popula
   }
 }
 
+// What a table of sides may begin with.
+constexpr std::array<std::string_view, 7> kSideWords{Normal::kWords.name,
+                                                     UniformRange::kWords.name,
+                                                     Laplace::kWords.name,
+                                                     LogNormal::kWords.name,
+                                                     "twofold",
+                                                     "threefold",
+                                                     "sixfold"};
+
 constexpr const char* kSidesHint =
     "distances of faces 3 to 8 from the axis, 1 those of a regular prism: [1, 2, 1, 2, 1, 2] is a triangle";
 
@@ -77,7 +88,13 @@ constexpr const char* kSidesHint =
 
 bool SideDistances::read(const Value& in, PopulationShape& out) const {
   const toml::table* table = in.node.as_table();
-  if (table && (table->contains("twofold") || table->contains("threefold") || table->contains("sixfold"))) {
+  if (table && !isDistribution(*table)) {
+    for (const auto& [key, value] : *table) {
+      if (std::ranges::find(kSideWords, key.str()) != kSideWords.end()) continue;
+      in.complaints.add(placeOf(key.source(), in.complaints), "unknown key of the sides",
+                        didYouMean(key.str(), kSideWords));
+      return false;
+    }
     TiedSideKeys keys;
     TableReader reader(*table, "the table of sides", in.complaints);
     visitKeys(reader, keys);

@@ -83,7 +83,7 @@ TEST_CASE("impossible distributions are refused") {
         Lines{"2:25 'sigma' must be a number from 0 to 10000, not -0.1"});
   CHECK(wrongPopulation("aspect = { uniform = [2, 1] }") == Lines{"2:22 the range ends before it begins"});
   CHECK(wrongPopulation("aspect = { normal = 1 }") == Lines{"2:21 'normal' must be [mean, sigma], not 1"});
-  CHECK(wrongPopulation("aspect = { laplace = [1, 1] }").size() == 1);
+  CHECK(wrongPopulation("aspect = { arcsine = [1, 1] }").size() == 1);
   CHECK(wrongPopulation("aspect = { normal = [1, 1], uniform = [1, 2] }").size() == 1);
   CHECK(wrongPopulation("orientation = 'plate'\ntilt = -1").size() == 1);
   CHECK(wrongPopulation("orientation = 'plate'\ntilt = { arcsine = -1 }") ==

@@ -73,6 +73,9 @@ TEST_CASE("lengths, heights, slopes and sides may be spread, alone or tied") {
   CHECK(prism("{ normal = [1, 0.1] }").spreads.size() == 6);
   CHECK(prism("{ twofold = { normal = [1, 0.1] } }").spreads.size() == 3);
   CHECK(prism("{ sixfold = { normal = [1, 0.1] } }").spreads.size() == 1);
+  const auto log = std::get<PrismSettings>(populationWith("aspect = { lognormal = [0.3, 0.4] }").shape);
+  REQUIRE(log.spreads.size() == 1);
+  CHECK(log.spreads[0].what == ShapeLength::aspect);
   const auto some = prism("[1, { uniform = [1, 2] }, 1, 1, 1, 0.5]");
   REQUIRE(some.spreads.size() == 1);
   CHECK(some.spreads[0].sides[1]);
@@ -97,7 +100,8 @@ TEST_CASE("planes are read with their numbers and distances, whatever the length
 TEST_CASE("crystals that cannot be are refused with one error at their key") {
   CHECK(has(complaint("sides = [1, 1, 1]"), "'sides' must be six numbers or distributions, or one distribution"));
   CHECK(has(complaint("sides = [1, 1, 1, 1, 1, 'a']"), "'sides' must be a number from -100 to 100"));
-  CHECK(has(complaint("sides = { threfold = 1 }"), "unknown distribution"));
+  CHECK(has(complaint("sides = { threfold = 1 }"), "did you mean 'threefold'?"));
+  CHECK(has(complaint("sides = { unifrm = [1, 2] }"), "did you mean 'uniform'?"));
   CHECK(has(complaint("sides = { threefold = { normal = [1, 0.1] }, twofold = 1 }"), "tied in one way only"));
   CHECK(has(complaint("sides = { lognormal = [-1, 0.1] }"), "median of a lognormal distribution must be above 0"));
   CHECK(has(complaint("sides = { uniform = [-2, -1] }"), "enclose nothing"));

@@ -18,7 +18,7 @@ struct PrismSettings {
   static constexpr std::string_view kName = "prism";
   AspectDistribution aspect = FixedValue{1.0};
   Sides sides = kRegularSides;
-  std::vector<ShapeSpread> spreads = {};  // of sides
+  std::vector<ShapeSpread> spreads = {};  // of sides, and of aspects that are more than stretched
   Cavity upperCavity = {}, lowerCavity = {};
 
   bool isHollow() const { return upperCavity.isThere() || lowerCavity.isThere(); }
