@@ -115,8 +115,8 @@ TEST_CASE("a mesh turned inside out is rejected") {
 }
 
 TEST_CASE("a mesh without faces is rejected") {
-  CHECK_THROWS_AS(CrystalMesh({}, {}), std::invalid_argument);
-  CHECK_THROWS_AS(CrystalMesh(prismParts().vertices, {}), std::invalid_argument);
+  CHECK_THROWS_AS(CrystalMesh({}, std::vector<FaceOutline>{}), std::invalid_argument);
+  CHECK_THROWS_AS(CrystalMesh(prismParts().vertices, std::vector<FaceOutline>{}), std::invalid_argument);
 }
 
 TEST_CASE("a face that is not planar is rejected by its number") {
