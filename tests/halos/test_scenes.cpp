@@ -71,7 +71,7 @@ const SceneClaims kClaims[] = {
     {"diamond-dust.toml", {{What::atElevation, 22.6, 10}}},
     {"winter-morning.toml", {{What::ring, 21.9}, {What::atElevation, 22.1, 4}}},
     {"thin-to-thick.toml", {{What::ring, 21.9}, {What::atElevation, 26.4, 25}, {What::inVertical, 46.9}}},
-    {"subsun.toml", {{What::inVertical, -25}, {What::atElevation, 26.4, -25}}},
+    {"subsun.toml", {{What::inVertical, -25}, {What::atElevation, 27.0, -25}}},
     {"blue-noon.toml", {{What::ring, 21.9}, {What::atElevation, 26.4, 25}}},
     {"plates-and-pencils.toml",
      {{What::atElevation, 26.4, 25}, {What::inVertical, 71.3}, {What::inVertical, 46.9}, {What::inVertical, 3.1}}},
