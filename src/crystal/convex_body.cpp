@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -59,7 +60,7 @@ class Cutting {
   }
 
   CrystalMesh mesh(bool keepAll) const {
-    std::vector<FaceOutline> outlines;
+    std::map<int, FaceOutline> byPlane;  // whatever was cut last
     std::vector<Vec3> vertices;
     std::map<int, int> places;
     for (const Outline& face : faces_) {
@@ -70,23 +71,16 @@ class Cutting {
         if (isNew) vertices.push_back(sharpened(corner));
         outline.vertices.push_back(place->second);
       }
-      outlines.push_back(std::move(outline));
+      byPlane.emplace(face.plane, std::move(outline));
     }
-    // In the order of the planes, whatever was cut last.
-    std::vector<int> order(outlines.size());
-    for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<int>(i);
-    std::ranges::sort(order, {}, [this](int i) { return faces_[i].plane; });
-    std::vector<FaceOutline> sorted;
-    const auto keepTo = [&](int plane) {
-      for (int i = static_cast<int>(sorted.size()); keepAll && i < plane; ++i)
-        sorted.push_back({planes_[i].number, {}, planes_[i].normal, planes_[i].distance});
-    };
-    for (const int i : order) {
-      keepTo(faces_[i].plane);
-      sorted.push_back(outlines[i]);
+    std::vector<FaceOutline> outlines;
+    for (int plane = 0; !isOfCube(plane); ++plane) {
+      if (const auto face = byPlane.find(plane); face != byPlane.end())
+        outlines.push_back(std::move(face->second));
+      else if (keepAll)
+        outlines.push_back({planes_[plane].number, {}, planes_[plane].normal, planes_[plane].distance});
     }
-    keepTo(static_cast<int>(planes_.size()) - kCubeFaces);
-    return CrystalMesh(std::move(vertices), sorted);
+    return CrystalMesh(std::move(vertices), outlines);
   }
 
  private:
@@ -173,21 +167,17 @@ class Cutting {
 
   /// The edges that have a face on one side only, as the outline of the face that is to close them.
   std::vector<int> openRim() const {
-    std::map<std::pair<int, int>, bool> edges;
+    std::set<std::pair<int, int>> edges;
     for (const Outline& face : faces_)
       for (std::size_t i = 0; i < face.corners.size(); ++i)
-        edges[{face.corners[i], face.corners[(i + 1) % face.corners.size()]}] = true;
-    std::map<int, int> next;
-    for (const auto& [edge, there] : edges)
-      if (!edges.contains({edge.second, edge.first})) next[edge.second] = edge.first;
-    std::vector<int> rim;
-    if (next.empty()) throw std::invalid_argument("the crystal's faces enclose nothing");
-    for (int at = next.begin()->first; rim.size() < next.size(); at = next.at(at)) {
-      rim.push_back(at);
-      if (!next.contains(at)) break;
-    }
-    if (rim.size() != next.size() || rim.size() < 3 || next.at(rim.back()) != rim.front())
+        edges.emplace(face.corners[i], face.corners[(i + 1) % face.corners.size()]);
+    std::vector<std::vector<int>> rings = openRings(edges);
+    if (rings.empty()) throw std::invalid_argument("the crystal's faces enclose nothing");
+    std::vector<int>& rim = rings.front();
+    const bool isSimple = std::set<int>(rim.begin(), rim.end()).size() == rim.size();
+    if (rings.size() > 1 || rim.size() < 3 || !isSimple)
       throw std::invalid_argument("the crystal's faces nearly coincide, so that it cannot be cut out of them");
+    std::reverse(rim.begin() + 1, rim.end());
     return rim;
   }
 

@@ -25,10 +25,7 @@ constexpr double kPlanarity = 1e-12;
 
 }  // namespace
 
-std::vector<std::vector<int>> outlinesOf(const Face& face) {
-  if (face.triangles.empty()) return {face.vertices};
-  std::set<std::pair<int, int>> edges;
-  for (const auto& [a, b, c] : face.triangles) edges.insert({{a, b}, {b, c}, {c, a}});
+std::vector<std::vector<int>> openRings(const std::set<std::pair<int, int>>& edges) {
   std::multimap<int, int> next;
   for (const auto& [a, b] : edges)
     if (!edges.contains({b, a})) next.emplace(a, b);
@@ -43,6 +40,13 @@ std::vector<std::vector<int>> outlinesOf(const Face& face) {
     }
   }
   return rings;
+}
+
+std::vector<std::vector<int>> outlinesOf(const Face& face) {
+  if (face.triangles.empty()) return {face.vertices};
+  std::set<std::pair<int, int>> edges;
+  for (const auto& [a, b, c] : face.triangles) edges.insert({{a, b}, {b, c}, {c, a}});
+  return openRings(edges);
 }
 
 CrystalMesh::CrystalMesh(std::vector<Vec3> vertices, const std::vector<FaceOutline>& outlines)

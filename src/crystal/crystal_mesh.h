@@ -3,7 +3,9 @@
 
 #include <array>
 #include <optional>
+#include <set>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "math/conventions.h"
@@ -25,6 +27,9 @@ struct Face {
   std::vector<double> fan;                         // areas of the triangles of vertices 0, i + 1, i + 2
   std::vector<std::array<int, 3>> triangles = {};  // vertices, counter-clockwise seen from outside
 };
+
+/// The edges, from vertex to vertex, that are not there in the opposite sense, too, as rings of vertices.
+std::vector<std::vector<int>> openRings(const std::set<std::pair<int, int>>& edges);
 
 /// The edges of a face that another face has, too, as rings of vertices: the face is to the left of each. Of a face
 /// with holes there is more than one ring.

@@ -53,6 +53,7 @@ class Population {
   std::optional<ValueSampler> aspect_;       // when it is spread
   ShapeSettings shape_;
   std::vector<LengthSampler> samplers_;  // of what is spread of the shape
+  std::vector<std::uint64_t> steps_;     // from block to block, of 2^64, for each of them
   OrientationSettings orientationSettings_;
   OrientationSampler orientation_;
 };

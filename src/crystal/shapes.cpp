@@ -50,7 +50,18 @@ void set(const ShapeSpread& spread, double value, PyramidSettings& pyramid) {
 void set(const ShapeSpread&, double, PlanesSettings&) {}
 void set(const ShapeSpread&, double, MeshSettings&) {}
 
+template <class Shape>
+void setOrSpread(Shape& shape, const ShapeSpread& spread) {
+  if (const auto* fixed = std::get_if<FixedValue>(&spread.distribution))
+    set(spread, fixed->value, shape);
+  else
+    shape.spreads.push_back(spread);
+}
+
 }  // namespace
+
+void setLength(PrismSettings& prism, const ShapeSpread& spread) { setOrSpread(prism, spread); }
+void setLength(PyramidSettings& pyramid, const ShapeSpread& spread) { setOrSpread(pyramid, spread); }
 
 ShapeSettings drawnShape(const ShapeSettings& shape, std::span<const LengthSampler> samplers,
                          std::span<const double> u) {

@@ -20,6 +20,10 @@ namespace parhelion {
 ///   bool hasEndsAlike(const Settings&)                             of such: its own mirror image in the plane across c
 using ShapeSettings = std::variant<PrismSettings, PyramidSettings, PlanesSettings, MeshSettings>;
 
+/// Sets a length of a shape that has it to the fixed value of a distribution, or has it drawn.
+void setLength(PrismSettings& prism, const ShapeSpread& spread);
+void setLength(PyramidSettings& pyramid, const ShapeSpread& spread);
+
 /// A shape with all that is spread set to the values below which the fractions `u` of what is drawn lie. `samplers` and
 /// `u` are by the shape's spreads.
 ShapeSettings drawnShape(const ShapeSettings& shape, std::span<const LengthSampler> samplers,

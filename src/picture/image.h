@@ -40,6 +40,15 @@ struct Image {
     }
     return nullptr;
   }
+  std::vector<float>* find(std::string_view name) {
+    return const_cast<std::vector<float>*>(std::as_const(*this).find(name));
+  }
+
+  /// The same; a new channel of zeros where there is none.
+  std::vector<float>& findOrAdd(const std::string& name) {
+    std::vector<float>* const samples = find(name);
+    return samples ? *samples : add(name);
+  }
 
   /// The planes R, G, B; throws std::invalid_argument if one is missing.
   std::array<const std::vector<float>*, 3> rgb() const {
@@ -51,8 +60,8 @@ struct Image {
   /// Changes the colour of each pixel by a function of (R, G, B); throws as rgb() does.
   template <class Change>
   void changeColours(const Change& change) {
-    std::array<std::vector<float>*, 3> planes{};
-    for (std::size_t c = 0; c < 3; ++c) planes[c] = const_cast<std::vector<float>*>(rgb()[c]);
+    static_cast<void>(rgb());
+    const std::array planes{find("R"), find("G"), find("B")};
     for (std::size_t i = 0; i < pixels(); ++i) {
       const Vec3 colour = change(Vec3((*planes[0])[i], (*planes[1])[i], (*planes[2])[i]));
       for (int c = 0; c < 3; ++c) (*planes[static_cast<std::size_t>(c)])[i] = static_cast<float>(colour[c]);

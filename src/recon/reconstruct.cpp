@@ -86,11 +86,6 @@ Image darkOf(const SkyTally& tally) {
   return image;
 }
 
-std::vector<float>& channelOf(Image& image, const std::string& name) {
-  if (!image.find(name)) image.add(name);
-  return std::ranges::find(image.channels, name, &Channel::name)->samples;
-}
-
 /// Adds `gain` times the samples of a channel, or `gain` squared times those of a variance.
 void addChannel(const std::vector<float>& samples, double gain, std::vector<float>& sum) {
   for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += static_cast<float>(gain * static_cast<double>(samples[i]));
@@ -102,18 +97,6 @@ void addBias(const std::vector<float>& samples, double gain, std::vector<float>&
     sum[i] = static_cast<float>(std::hypot(static_cast<double>(sum[i]), gain * static_cast<double>(samples[i])));
 }
 
-/// Adds the picture of a part to that of all and to that of its layer.
-void addPart(const Image& part, double gain, const std::string& layer, Image& all) {
-  for (const Channel& channel : part.channels) {
-    if (channel.name == kVarianceChannel)
-      addChannel(channel.samples, gain * gain, channelOf(all, channel.name));
-    else if (channel.name == kBiasChannel)
-      addBias(channel.samples, gain, channelOf(all, channel.name));
-    else
-      addChannel(channel.samples, gain, channelOf(all, layer.empty() ? channel.name : layer + "." + channel.name));
-  }
-}
-
 /// R, G, B as the sums of all layers.
 void addLayers(const std::vector<std::string>& layers, Image& all) {
   for (const char* colour : {"R", "G", "B"}) {
@@ -121,11 +104,22 @@ void addLayers(const std::vector<std::string>& layers, Image& all) {
     for (const std::string& layer : layers)
       if (const auto* samples = all.find(layer + "." + colour))
         for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += static_cast<double>((*samples)[i]);
-    std::ranges::transform(sum, channelOf(all, colour).begin(), [](double x) { return static_cast<float>(x); });
+    std::ranges::transform(sum, all.findOrAdd(colour).begin(), [](double x) { return static_cast<float>(x); });
   }
 }
 
 }  // namespace
+
+void addPart(const Image& part, double gain, const std::string& layer, Image& all) {
+  for (const Channel& channel : part.channels) {
+    if (channel.name == kVarianceChannel)
+      addChannel(channel.samples, gain * gain, all.findOrAdd(channel.name));
+    else if (channel.name == kBiasChannel)
+      addBias(channel.samples, gain, all.findOrAdd(channel.name));
+    else
+      addChannel(channel.samples, gain, all.findOrAdd(layer.empty() ? channel.name : layer + "." + channel.name));
+  }
+}
 
 ReconstructedSky reconstruct(const SkyTally& tally, const ReconSettings& settings, const LayerGains& gains,
                              const Watch& watch) {
@@ -138,7 +132,7 @@ ReconstructedSky reconstruct(const SkyTally& tally, const ReconSettings& setting
     const auto found = gains.find(parts[i].layer);
     const double gain = found == gains.end() ? 1.0 : found->second;
     if (!parts[i].layer.empty())
-      for (const char* colour : {"R", "G", "B"}) channelOf(sky.image, parts[i].layer + "." + colour);
+      for (const char* colour : {"R", "G", "B"}) sky.image.findOrAdd(parts[i].layer + "." + colour);
     if (gain == 0.0 || isDark(parts[i].tally)) continue;
     hasLight = true;
     Watch own = watch;

@@ -28,6 +28,10 @@ struct ReconstructedSky {
 /// settings give the same bits for any number of threads. Throws ReconStopped (recon/watch.h) if asked to stop.
 ReconstructedSky reconstruct(const Tally& tally, const ReconSettings& settings, const Watch& watch = {});
 
+/// Adds the picture of a part to that of all, `gain` times, and to that of its layer, where it has a name. Noise and
+/// biases are taken as independent.
+void addPart(const Image& part, double gain, const std::string& layer, Image& all);
+
 /// How much each layer counts in a picture, by name; 1 where it is not named.
 using LayerGains = std::map<std::string, double, std::less<>>;
 

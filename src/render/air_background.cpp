@@ -75,7 +75,7 @@ class Background {
   void add() {
     addHaze(image_, camera_, scene_, slab_.ofHaze());
     slab_.apply(image_, camera_);
-    if (more_) addImage(image_, *more_);
+    if (more_) addPart(*more_, 1.0, {}, image_);
     forRows(image_.height, [&](int y) {
       for (int x = 0; x < image_.width; ++x) addTo(x, y);
     });

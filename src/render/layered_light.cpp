@@ -21,17 +21,7 @@ namespace {
 using ColourPlanes = std::array<std::vector<float>*, 3>;
 
 ColourPlanes planesOf(Image& image, const std::string& before) {
-  ColourPlanes planes{};
-  for (Channel& channel : image.channels)
-    for (std::size_t c = 0; c < 3; ++c)
-      if (channel.name == before + "RGB"[c]) planes[c] = &channel.samples;
-  return planes;
-}
-
-std::vector<float>* planeOf(Image& image, const std::string& name) {
-  for (Channel& channel : image.channels)
-    if (channel.name == name) return &channel.samples;
-  return nullptr;
+  return {image.find(before + "R"), image.find(before + "G"), image.find(before + "B")};
 }
 
 double luminanceOf(const Vec3& colour) {
@@ -39,8 +29,7 @@ double luminanceOf(const Vec3& colour) {
 }
 
 double depthOf(const SlabStack::Layer& layer, const Vec3& direction) {
-  const Extinction::Crystals met = layer.extinction.at(direction);
-  return layer.opticalDepth * (1.0 - met.undeviated) * met.shadow / std::max(std::abs(direction.z), kLevelRise);
+  return layer.extinction.at(direction).depth(layer.opticalDepth) / std::max(std::abs(direction.z), kLevelRise);
 }
 
 }  // namespace
@@ -109,7 +98,7 @@ void LayeredLight::apply(Image& image, const Camera& camera) const {
   const auto isThere = [](const ColourPlanes& planes) { return planes[0] && planes[1] && planes[2]; };
   if (!isThere(whole) || std::ranges::none_of(own, isThere))
     throw std::runtime_error("the picture does not tell the light of the cloud's populations apart");
-  std::vector<float>*variance = planeOf(image, kVarianceChannel), *bias = planeOf(image, kBiasChannel);
+  std::vector<float>*variance = image.find(kVarianceChannel), *bias = image.find(kBiasChannel);
   forRows(image.height, [&](int y) {
     for (int x = 0; x < image.width; ++x) {
       const auto i = static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x);

@@ -61,14 +61,6 @@ void scale(Image& image, double factor) {
   }
 }
 
-std::vector<float>& channelOf(Image& image, const std::string& name) {
-  for (Channel& channel : image.channels)
-    if (channel.name == name) return channel.samples;
-  const auto pixels = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
-  image.channels.push_back({name, std::vector<float>(pixels)});
-  return image.channels.back().samples;
-}
-
 bool isOfErrors(const std::string& name) { return name == kVarianceChannel || name == kBiasChannel; }
 
 }  // namespace
@@ -98,15 +90,6 @@ std::optional<MoreOrders> moreOrders(const LoadedScene& loaded, std::uint64_t ra
   more.image = withThreads(threads, [&] { return reconstruct(tally, scene.recon, gains); }).image;
   scale(more.image, slab.illuminance() * rise / deposits.scale);
   return more;
-}
-
-void addImage(Image& image, const Image& more) {
-  for (const Channel& channel : more.channels) {
-    std::vector<float>& samples = channelOf(image, channel.name);
-    for (std::size_t i = 0; i < samples.size(); ++i)
-      samples[i] =
-          channel.name == kBiasChannel ? std::hypot(samples[i], channel.samples[i]) : samples[i] + channel.samples[i];
-  }
 }
 
 void addHaze(Image& image, const Camera& camera, const Scene& scene, double ofHaze) {

@@ -25,9 +25,6 @@ inline constexpr std::uint64_t kRaysPerWalk = 16;
 std::optional<MoreOrders> moreOrders(const LoadedScene& loaded, std::uint64_t rays, const SlabLight& slab,
                                      const LayerGains& gains, int threads);
 
-/// Adds a picture's channels, and their errors, which are independent.
-void addImage(Image& image, const Image& more);
-
 /// Makes the picture of single crystals, per unit of the light that they intercept, one of a cloud with haze of which
 /// haze intercepts the share `ofHaze`: per unit of what both intercept.
 void addHaze(Image& image, const Camera& camera, const Scene& scene, double ofHaze);

@@ -37,7 +37,7 @@ std::optional<OrderReport> writeSky(const Output& exr, Image& image, const Tally
   } else if (slab) {
     addHaze(image, camera, scene, slab->ofHaze());
     if (scene.cloud) slab->apply(image, camera);
-    if (more) addImage(image, more->image);
+    if (more) addPart(more->image, 1.0, {}, image);
     if (!scene.cloud) slab.reset();
   }
   if (!air && loaded.scene.sun.visible)

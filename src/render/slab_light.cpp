@@ -55,8 +55,7 @@ double SlabLight::exactLuminanceAt(const Vec3& toSky) const {
   if (!isLit_ || (isAboveGround_ && !(toSky.z > 0.0))) return 0.0;
   const double opticalDepth = stack_.layers().front().opticalDepth;
   const double rise = std::max(std::abs(toSky.z), kLevelRise);
-  const Extinction::Crystals between = extinction_.at(toSky);
-  const double toObserver = opticalDepth * (1.0 - between.undeviated) * between.shadow / rise;
+  const double toObserver = extinction_.at(toSky).depth(opticalDepth) / rise;
   const double through =
       toSky.z > 0.0 ? portable::exp(-std::min(fromSun_, toObserver)) * meanThrough(std::abs(toObserver - fromSun_))
                     : meanThrough(fromSun_ + toObserver);

@@ -182,7 +182,7 @@ bool readAspect(const Value& in, PrismSettings& prism) {
 bool readAspect(const Value& in, PyramidSettings& pyramid) {
   LengthDistribution aspect;
   if (!Length{kFixedAspectRange}.read(in, aspect)) return false;
-  setLength(pyramid, &PyramidSettings::aspect, {ShapeLength::aspect, {}, aspect});
+  setLength(pyramid, {ShapeLength::aspect, {}, aspect});
   return true;
 }
 

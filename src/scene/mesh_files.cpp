@@ -8,7 +8,7 @@
 
 #include "crystal/mesh/mesh_from_obj.h"
 #include "picture/limits.h"
-#include "scene/value.h"
+#include "scene/named_files.h"
 
 namespace parhelion {
 
@@ -52,28 +52,18 @@ std::optional<std::string> plainObj(const std::filesystem::path& path, const Pla
 }  // namespace
 
 bool readMeshFiles(toml::table& root, const std::filesystem::path& folder, Complaints& complaints) {
-  bool any = false;
   std::size_t bytes = 0;
-  toml::array* populations = root["population"].as_array();
-  for (std::size_t i = 0; populations && i < populations->size(); ++i) {
-    toml::table* population = (*populations)[i].as_table();
-    const toml::node* mesh = population ? population->get("mesh") : nullptr;
-    const auto name = mesh ? mesh->value_exact<std::string>() : std::nullopt;
-    if (!name || name->empty() || name->find('\n') != std::string::npos) continue;
-    any = true;
-    const Place place = placeOf(mesh->source(), complaints);
-    auto text = plainObj(folder / *name, place, complaints);
-    if (!text) continue;
+  const auto isName = [](const std::string& text) { return !text.empty() && text.find('\n') == std::string::npos; };
+  const auto contents = [&](const std::string& name, const Place& place) -> std::optional<std::string> {
+    auto text = plainObj(folder / name, place, complaints);
+    if (!text) return std::nullopt;
     bytes += text->size();
     // What is made of a scene carries its meshes with it.
-    if (bytes > kMostMeshesInScene) {
-      complaints.add(place, "the meshes of this scene are too large together");
-      continue;
-    }
-    population->insert_or_assign("mesh", std::move(*text));
-  }
-  complaints.throwIfAny();
-  return any;
+    if (bytes <= kMostMeshesInScene) return text;
+    complaints.add(place, "the meshes of this scene are too large together");
+    return std::nullopt;
+  };
+  return putFiles(root, "mesh", isName, contents, complaints);
 }
 
 }  // namespace parhelion

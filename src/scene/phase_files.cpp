@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/phase_files.h"
 
-#include <charconv>
+#include <algorithm>
 #include <fstream>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
+
+#include "math/number_text.h"
+#include "scene/named_files.h"
 
 namespace parhelion {
 
@@ -17,15 +20,12 @@ constexpr std::size_t kMostBytes = 1 << 20;
 /// "12.5,0.3"
 std::optional<std::pair<double, double>> pairIn(std::string_view line) {
   while (!line.empty() && (line.back() == '\r' || line.back() == ' ')) line.remove_suffix(1);
-  const char* const end = line.data() + line.size();
-  std::pair<double, double> pair;
-  const auto first = std::from_chars(line.data(), end, pair.first);
-  const char* at = first.ptr;
-  if (first.ec != std::errc() || at == end || *at++ != ',') return std::nullopt;
-  while (at != end && *at == ' ') ++at;
-  const auto second = std::from_chars(at, end, pair.second);
-  if (second.ec != std::errc() || second.ptr != end) return std::nullopt;
-  return pair;
+  const std::size_t comma = std::min(line.find(','), line.size());
+  std::string_view rest = line.substr(std::min(comma + 1, line.size()));
+  rest.remove_prefix(std::min(rest.find_first_not_of(' '), rest.size()));
+  const auto first = numberIn(line.substr(0, comma)), second = numberIn(rest);
+  if (!first || !second) return std::nullopt;
+  return std::pair(*first, *second);
 }
 
 /// The pairs of a file; none where it has been complained about.
@@ -61,19 +61,10 @@ std::optional<toml::array> pairsOf(const std::filesystem::path& path, const Plac
 }  // namespace
 
 bool readPhaseFiles(toml::table& root, const std::filesystem::path& folder, Complaints& complaints) {
-  bool any = false;
-  toml::array* populations = root["population"].as_array();
-  for (std::size_t i = 0; populations && i < populations->size(); ++i) {
-    toml::table* population = (*populations)[i].as_table();
-    const toml::node* phase = population ? population->get("phase") : nullptr;
-    const auto name = phase ? phase->value_exact<std::string>() : std::nullopt;
-    if (!name || !name->ends_with(".csv")) continue;
-    any = true;
-    auto pairs = pairsOf(folder / *name, placeOf(phase->source(), complaints), complaints);
-    if (pairs) population->insert_or_assign("phase", std::move(*pairs));
-  }
-  complaints.throwIfAny();
-  return any;
+  return putFiles(
+      root, "phase", [](const std::string& name) { return name.ends_with(".csv"); },
+      [&](const std::string& name, const Place& place) { return pairsOf(folder / name, place, complaints); },
+      complaints);
 }
 
 }  // namespace parhelion

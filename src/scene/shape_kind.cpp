@@ -47,18 +47,12 @@ Json listOf(const Json& items, std::size_t count) {
 
 namespace {
 
-constexpr ShapeLength kSides = ShapeLength::sides;
 using SideMask = std::array<bool, 6>;
 
 /// Sets sides of the shapes that have some.
 void setSides(const SideMask& which, const LengthDistribution& distribution, PopulationShape& shape) {
   const auto set = [&](auto& own) {
-    if constexpr (requires { own.sides; }) {
-      const auto* fixed = std::get_if<FixedValue>(&distribution);
-      for (std::size_t k = 0; k < which.size(); ++k)
-        if (which[k]) own.sides[k] = fixed ? fixed->value : 1.0;
-      if (!fixed) own.spreads.push_back({kSides, which, distribution});
-    }
+    if constexpr (requires { own.sides; }) setLength(own, {ShapeLength::sides, which, distribution});
   };
   std::visit(set, shape);
 }
@@ -165,11 +159,8 @@ bool PyramidEnd::read(const Value& in, PopulationShape& out) const {
                      "its height as a share of its full height: 0.5, or { miller = [1, 0, -1, 1], height = 0.5 }");
   }
   if (auto* pyramid = std::get_if<PyramidSettings>(&out)) {
-    setLength(*pyramid, isUpper ? &PyramidSettings::upper : &PyramidSettings::lower,
-              {isUpper ? What::upper : What::lower, {}, keys.height});
-    if (keys.slope)
-      setLength(*pyramid, isUpper ? &PyramidSettings::upperSlope : &PyramidSettings::lowerSlope,
-                {isUpper ? What::upperSlope : What::lowerSlope, {}, *keys.slope});
+    setLength(*pyramid, {isUpper ? What::upper : What::lower, {}, keys.height});
+    if (keys.slope) setLength(*pyramid, {isUpper ? What::upperSlope : What::lowerSlope, {}, *keys.slope});
   }
   return true;
 }
@@ -182,8 +173,7 @@ Json PyramidEnd::schema() const {
 bool PyramidSlope::read(const Value& in, PopulationShape& out) const {
   LengthDistribution slope;
   if (!Length{kSlopeDegrees, true}.read(in, slope)) return false;
-  if (auto* pyramid = std::get_if<PyramidSettings>(&out))
-    setLength(*pyramid, &PyramidSettings::slope, {ShapeLength::slope, {}, slope});
+  if (auto* pyramid = std::get_if<PyramidSettings>(&out)) setLength(*pyramid, {ShapeLength::slope, {}, slope});
   return true;
 }
 

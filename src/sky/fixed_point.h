@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <stdexcept>
 
+#include "math/conventions.h"
 #include "math/exact_sum.h"
 
 namespace parhelion {
@@ -87,6 +88,12 @@ struct FixedLight {
     return toFixed(luminance * luminance, kSquareScale);
   }
 };
+
+/// 1 over a white's XYZ for toFixedLight(), whose luminances have a unit of their own; 0 for light that is not there.
+inline Vec3 perWhiteOf(const Vec3& white) {
+  const auto inverseOrZero = [](double x) { return x > 0.0 ? 1.0 / x : 0.0; };
+  return {inverseOrZero(white.x), 1.0, inverseOrZero(white.z)};
+}
 
 /// Light in CIE XYZ; `perWhite` is 1 over the white's.
 template <class Vector>

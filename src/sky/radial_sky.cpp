@@ -49,8 +49,7 @@ RadialSky::RadialSky(const TallyInfo& info, const Vec3& toCentre, int colours)
       rings_(static_cast<std::size_t>(ringsFor(partsOf(info.camera).front().camera))) {
   if (colours != 1 && colours != 3) throw std::invalid_argument("radial sky: colours must be 1 or 3");
   perChord_ = static_cast<double>(bins()) / (2.0 * std::sqrt(2.0));
-  const auto inverseOrZero = [](double x) { return x > 0.0 ? 1.0 / x : 0.0; };
-  perWhite_ = {inverseOrZero(info.white.x), 1.0, inverseOrZero(info.white.z)};
+  perWhite_ = perWhiteOf(info.white);
 }
 
 void RadialSky::requireSameRings(const RadialSky& other) const {

@@ -12,9 +12,6 @@
 namespace parhelion {
 namespace {
 
-/// 1 / x for light that is there, 0 for light that is not.
-double inverseOrZero(double x) { return x > 0.0 ? 1.0 / x : 0.0; }
-
 void requireValid(const TallyInfo& info, int colours) {
   static_cast<void>(Camera(info.camera));  // throws for settings that make no picture
   if (colours != 1 && colours != 3) throw std::invalid_argument("tally: colours must be 1 or 3");
@@ -41,7 +38,7 @@ Tally::Tally(TallyInfo tallyInfo, int colours)
       height_(info.camera.height),
       colours_(colours),
       stride_(colours == 1 ? 4 : 8),
-      perWhite_(inverseOrZero(info.white.x), 1.0, inverseOrZero(info.white.z)),
+      perWhite_(perWhiteOf(info.white)),
       lines_((static_cast<std::size_t>(pixels()) * stride_ + 7) / 8) {
   if (info.symmetry == TallySymmetry::radial) makeRings(info.toSun());
 }

@@ -18,8 +18,6 @@ namespace parhelion {
 
 namespace {
 
-// The mean shadow of a convex body in any orientation is a quarter of its surface (Cauchy).
-constexpr double kRandomShadow = 0.25;
 // Elevations, closer toward the horizon, and azimuths where these matter.
 constexpr int kShadowRows = 31, kUndeviatedRows = 13, kAzimuths = 24;
 // For each direction: crystals whose shadows are measured, and rays that show what passes undeviated.

@@ -12,6 +12,9 @@
 
 namespace parhelion {
 
+/// The mean shadow of a convex body in any orientation, in units of its surface (Cauchy).
+inline constexpr double kRandomShadow = 0.25;
+
 /// What crystals take from light by the direction it comes from: oriented crystals stand in the way of light from some
 /// directions more than of light from others.
 ///
@@ -33,6 +36,10 @@ class Extinction {
     double shadow;        // their mean, in units of that of light from the zenith
     double undeviated;    // how much of what meets them goes on as if they were not there, through parallel faces
     double ofHaze = 0.0;  // how much of the shadow is that of haze
+
+    /// What a cloud of that vertical optical depth scatters of light from this direction, as a depth over the sine of
+    /// its elevation: light that passes undeviated goes on.
+    double depth(double opticalDepth) const { return opticalDepth * (1.0 - undeviated) * shadow; }
   };
 
   /// Whether azimuths make no difference.

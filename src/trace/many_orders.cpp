@@ -11,9 +11,6 @@ namespace parhelion {
 
 namespace {
 
-// Of haze, all of whose crystals are taken: the mean interception of convex bodies in any orientation (Cauchy).
-constexpr double kRandomShadow = 0.25;
-
 /// The most that crystals of a population intercept per surface, from whatever side light comes. The shadow of a
 /// convex body is V . d for the sum V of its lit faces' areas along their normals, so that it is at most |V|: found
 /// for each set of lit faces that light from many directions makes.
@@ -47,12 +44,6 @@ double mostIntercepted(const FaceTable& faces, const AngleQuantile* stretch) {
 // A population whose shapes are spread is so many of one shape each.
 constexpr int kShapes = 32;
 
-/// What a population is drawn as; nothing where it has no weight.
-std::vector<PopulationSettings> drawnAs(const PopulationSettings& one) {
-  if (!(one.weight > 0.0)) return {};
-  return withFixedShapes(one, kShapes);
-}
-
 }  // namespace
 
 double takenOver(double depth) { return depth < 1e-5 ? depth - 0.5 * depth * depth : 1.0 - portable::exp(-depth); }
@@ -65,8 +56,10 @@ ManyOrders::ManyOrders(SlabContents contents, int orders, const SlabStack& stack
       orders_(orders),
       someMesh_(meshOf(PrismSettings{})) {
   std::vector<PopulationSettings> populations;
-  for (const PopulationSettings& one : contents.populations)
-    std::ranges::copy(drawnAs(one), std::back_inserter(populations));
+  for (const PopulationSettings& one : contents.populations) {
+    if (one.weight > 0.0) std::ranges::copy(withFixedShapes(one, kShapes), std::back_inserter(populations));
+    populationEnds_.push_back(populations.size());
+  }
   if (!populations.empty()) {
     cloud_.emplace(contents.sun, contents.ice, populations);
     engines_ = makeIntersectors(*cloud_, engine);
@@ -81,18 +74,13 @@ ManyOrders::ManyOrders(SlabContents contents, int orders, const SlabStack& stack
 std::vector<ManyOrders::Kind> ManyOrders::kindsOf(const SlabContents& contents, const SlabStack::Layer& layer) const {
   std::vector<Kind> kinds;
   double all = 0.0;
-  std::size_t first = 0;  // of the cloud's, which has several for a population whose shapes are spread
-  for (std::size_t number = 0; number < contents.populations.size(); ++number) {
-    const std::size_t count = drawnAs(contents.populations[number]).size();
-    const bool isOwn = std::ranges::find(layer.populations, number) != layer.populations.end();
-    for (std::size_t p = first; p < first + count && isOwn; ++p) {
+  for (const std::size_t number : layer.populations)
+    for (std::size_t p = number > 0 ? populationEnds_[number - 1] : 0; p < populationEnds_[number]; ++p) {
       const Population& population = cloud_->populations()[p];
       const double bound = mostIntercepted(cloud_->faces(static_cast<int>(p)), population.stretch());
       all += population.weight() * bound;
       kinds.push_back({static_cast<int>(p), false, bound, all});
     }
-    first += count;
-  }
   for (const std::size_t haze : layer.hazes) {
     all += contents.hazes[haze].weight * kRandomShadow;
     kinds.push_back({static_cast<int>(haze), true, kRandomShadow, all});

@@ -91,6 +91,8 @@ class ManyOrders {
     SlabDepth depth;
     std::vector<Kind> kinds;
   };
+  // Where a population's end among the cloud's, which has several for one whose shapes are spread.
+  std::vector<std::size_t> populationEnds_;
   std::vector<Kind> kindsOf(const SlabContents& contents, const SlabStack::Layer& layer) const;
 
   std::vector<Layer> layers_;

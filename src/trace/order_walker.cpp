@@ -30,13 +30,6 @@ std::uint64_t bundleOf(std::uint64_t walk, int step) {
   return walk | static_cast<std::uint64_t>(step) << (64 - kStepBits);
 }
 
-/// 1 over the white's XYZ, 0 where it has none, as Tally::perWhite().
-Vec3 reciprocal(const Vec3& white) {
-  Vec3 per(0.0);
-  for (int k = 0; k < 3; ++k) per[k] = white[k] > 0.0 ? 1.0 / white[k] : 0.0;
-  return per;
-}
-
 }  // namespace
 
 void WalkedLight::merge(const WalkedLight& other) {
@@ -81,7 +74,7 @@ OrderWalker::OrderWalker(const ManyOrders& slab, const TraceSettings& settings, 
       seed_(settings.seed),
       least_(kLeastShare * slab.scattered()),
       hazes_(slab.phases().size()),
-      perWhite_(reciprocal(slab.spectrum().white())) {
+      perWhite_(perWhiteOf(slab.spectrum().white())) {
   if (!slab.cloud()) return;
   wave_ = std::make_unique<Wave>(*slab.cloud(), slab.engines(), *slab.paths(), settings, steps);
   crystals_.resize(slab.cloud()->populations().size());
@@ -153,6 +146,7 @@ bool OrderWalker::proposeCrystal(const ManyOrders::Kind& kind, std::size_t index
   Group& group = (kind.isHaze ? hazes_ : crystals_)[static_cast<std::size_t>(kind.population)];
   RayQueue& queue = group.queue;
   const auto place = static_cast<std::size_t>(queue.count);
+  queue.makeRoom(queue.count + 1);
   if (!kind.isHaze) {
     const Population& population = slab_.cloud()->populations()[static_cast<std::size_t>(kind.population)];
     const FaceTable& faces = slab_.cloud()->faces(kind.population);
@@ -167,7 +161,6 @@ bool OrderWalker::proposeCrystal(const ManyOrders::Kind& kind, std::size_t index
     const double face = litFace(faces, shadows, numbers.next());
     const double u4 = numbers.next(), u5 = numbers.next();
     const Triple<double> point = pointOnFace(faces, stretch, face, u4, u5);
-    queue.makeRoom(queue.count + 1);
     const auto put = [place](RayQueue::Row* rows, const Triple<double>& v) {
       rows[0][place] = v.x;
       rows[1][place] = v.y;
@@ -183,7 +176,6 @@ bool OrderWalker::proposeCrystal(const ManyOrders::Kind& kind, std::size_t index
     queue.stretch[place] = stretch;
     queue.shadow[place] = shadows.total;
   }
-  queue.makeRoom(queue.count + 1);
   queue.bundle[place] = bundleOf(walk.number, walk.step);
   queue.weight[place] = 1.0;
   ++queue.count;

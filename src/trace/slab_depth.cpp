@@ -25,10 +25,7 @@ SlabDepth::SlabDepth(const Extinction& extinction, double opticalDepth)
   byRise_ = std::move(all);
 }
 
-double SlabDepth::vertical(const Vec3& direction) const {
-  const Extinction::Crystals met = extinction_.at(direction);
-  return opticalDepth_ * met.shadow * (1.0 - met.undeviated);
-}
+double SlabDepth::vertical(const Vec3& direction) const { return extinction_.at(direction).depth(opticalDepth_); }
 
 double SlabDepth::along(const Vec3& direction) const {
   const double rise = std::max(std::abs(direction.z), kLevel);

@@ -30,10 +30,7 @@ SlabStack::SlabStack(const Extinction& all, std::span<const PopulationSettings> 
 
 double SlabStack::depthAlong(const Vec3& direction, double leastRise) const {
   double vertical = 0.0;
-  for (const Layer& layer : layers_) {
-    const Extinction::Crystals met = layer.extinction.at(direction);
-    vertical += layer.opticalDepth * met.shadow * (1.0 - met.undeviated);
-  }
+  for (const Layer& layer : layers_) vertical += layer.extinction.at(direction).depth(layer.opticalDepth);
   return vertical / std::max(std::abs(direction.z), leastRise);
 }
 

@@ -8,6 +8,8 @@
 #include <map>
 #include <tuple>
 
+#include "math/number_text.h"
+
 namespace parhelion {
 
 namespace {
@@ -27,16 +29,6 @@ std::string_view takeWord(std::string_view& line) {
   const std::string_view word = line.substr(begin, end - begin);
   line.remove_prefix(end);
   return word;
-}
-
-/// A whole word as a number, if it is one.
-template <class Number>
-std::optional<Number> numberOf(std::string_view word) {
-  if (word.starts_with('+')) word.remove_prefix(1);
-  Number number{};
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
-  if (error != std::errc() || end != word.data() + word.size()) return std::nullopt;
-  return number;
 }
 
 /// A word for a message, cut short, without what is no printable ASCII.
@@ -105,7 +97,7 @@ class Reader {
     Vec3 v(0.0);
     for (int k = 0; k < 3; ++k) {
       const std::string_view word = takeWord(line);
-      const auto x = numberOf<double>(word);
+      const auto x = numberIn(word);
       if (!x || !(std::abs(*x) <= kFarthest))
         throw ObjError(number, "a vertex needs three numbers between -1e9 and 1e9" +
                                    (word.empty() ? std::string() : ", not " + shown(word)));
@@ -123,8 +115,8 @@ class Reader {
     for (std::string_view word = takeWord(line); !word.empty(); word = takeWord(line)) {
       if (polygon.corners.size() == kMostObjCorners)
         throw ObjError(number, "a face has more than " + std::to_string(kMostObjCorners) + " corners");
-      const auto index = numberOf<long long>(word.substr(0, std::min(word.find('/'), word.size())));
-      const auto here = static_cast<long long>(places_.size());
+      const auto index = wholeNumberIn(word.substr(0, std::min(word.find('/'), word.size())));
+      const auto here = static_cast<std::int64_t>(places_.size());
       if (!index || *index == 0 || *index < -here || *index > kMostObjVertices)
         throw ObjError(number, shown(word) + " is no vertex: of " + std::to_string(here) +
                                    " so far, the first is 1 and the last one -1");
@@ -139,8 +131,9 @@ class Reader {
 
   /// Of a group or of an object. A new object has no group yet.
   void name(std::string_view line, bool isGroup) {
-    std::optional<int> number = numberOf<int>(takeWord(line));
-    if (number && (*number < 1 || *number > kMostObjFaceNumber)) number.reset();
+    const auto named = wholeNumberIn(takeWord(line));
+    std::optional<int> number;
+    if (named && *named >= 1 && *named <= kMostObjFaceNumber) number = static_cast<int>(*named);
     if (!isGroup) objectNumber_ = number;
     groupNumber_ = isGroup ? number : std::nullopt;
   }

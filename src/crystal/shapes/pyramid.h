@@ -27,15 +27,6 @@ struct PyramidSettings {
   std::vector<ShapeSpread> spreads = {};
 };
 
-/// Sets a length to a fixed value, or has it drawn.
-template <class Member>
-void setLength(PyramidSettings& pyramid, Member PyramidSettings::*member, const ShapeSpread& spread) {
-  if (const auto* fixed = std::get_if<FixedValue>(&spread.distribution))
-    pyramid.*member = fixed->value;
-  else
-    pyramid.spreads.push_back(spread);
-}
-
 /// The slope (rad) of the pyramid faces with Miller indices {h 0 -h l} of ice, by the ratio of its axes
 /// c/a = 1.6288: 27.999 degrees for {1 0 -1 1}, 14.888 for {2 0 -2 1}.
 double slopeOfMiller(int h, int l);
