@@ -20,7 +20,7 @@ constexpr double kSunElevation = radians(20.0);
 Cloud columns() {
   const SunSettings sun{.elevation = kSunElevation, .diameter = 0.0, .spectrum = MonochromaticSpectrum{550.0}};
   const PopulationSettings columns{"columns", 1.0, PrismSettings{FixedValue{2.0}}, RandomOrientation{}};
-  return Cloud(sun, TabulatedIce{}, {{columns}});
+  return Cloud(sun, PublishedIndex{}, {{columns}});
 }
 
 SkyTally panorama(const std::vector<TallySymmetry>& symmetries) {

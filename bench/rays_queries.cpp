@@ -10,7 +10,7 @@ namespace parhelion::bench {
 Cloud randomPrisms(double aspect) {
   const SunSettings sun{.elevation = radians(20.0), .diameter = 0.0, .spectrum = MonochromaticSpectrum{550.0}};
   const PopulationSettings prisms{"prisms", 1.0, PrismSettings{FixedValue{aspect}}, RandomOrientation{}};
-  return Cloud(sun, TabulatedIce{}, {{prisms}});
+  return Cloud(sun, PublishedIndex{}, {{prisms}});
 }
 
 Crystal onlyCrystal(const Cloud& cloud) { return RaySource(cloud, {}, 1).ray(0).crystal; }

@@ -22,7 +22,9 @@ constexpr int kMostHalvings = 8;            // of the widest histogram
 constexpr int kFineBins = kBins << kMostHalvings;
 constexpr int kDraws = 25;  // of each error bar
 
-Cloud ringCloud() { return cloudUnderPointSun(radians(20.0), {prisms(1.0, RandomOrientation{})}, ConstantIce{kIndex}); }
+Cloud ringCloud() {
+  return cloudUnderPointSun(radians(20.0), {prisms(1.0, RandomOrientation{})}, ConstantIndex{kIndex});
+}
 
 /// How often the fit's window is halved. The edge is a step, so its position's error falls as one over the rays, not
 /// over their root, and the window must shrink with it for the bins not to show.

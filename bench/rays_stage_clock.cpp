@@ -18,11 +18,11 @@ void timed(Arguments... arguments) {
   stageWatch.clock->lap(kStage);
 }
 
-/// The same of steps that come in one kind for each PathRecord; benchmarks keep no paths.
+/// The same of steps that come in one kind for each PathRecord; benchmarks keep no paths, of ideal crystals.
 template <auto kStep, Stage kBefore, Stage kStage, class... Arguments>
 void timedPlain(Arguments... arguments) {
   stageWatch.clock->lap(kBefore);
-  (stageWatch.steps->*kStep)[0](arguments...);
+  (stageWatch.steps->*kStep).ideal[0](arguments...);
   stageWatch.clock->lap(kStage);
 }
 
@@ -65,10 +65,10 @@ LaneSteps timedSteps(const LaneSteps& real) {
   LaneSteps k = real;
   k.draw = timed<&LaneSteps::draw, Stage::start, Stage::start>;
   k.propose = timed<&LaneSteps::propose, Stage::start, Stage::start>;
-  k.enter[0] = timedPlain<&LaneSteps::enter, Stage::start, Stage::entry>;
+  k.enter.ideal[0] = timedPlain<&LaneSteps::enter, Stage::start, Stage::entry>;
   k.findFaces = timed<&LaneSteps::findFaces, Stage::pool, Stage::intersection>;
   k.measureFaces = timedMeasureFaces;
-  k.meetFaces[0] = timedPlain<&LaneSteps::meetFaces, Stage::intersection, Stage::optics>;
+  k.meetFaces.ideal[0] = timedPlain<&LaneSteps::meetFaces, Stage::intersection, Stage::optics>;
   k.turnToWorld = timed<&LaneSteps::turnToWorld, Stage::pool, Stage::deposit>;
   return k;
 }

@@ -99,6 +99,11 @@ double RayPlace::distanceUpTo(double altitude) const {
   return std::sqrt(std::max(0.0, along * along + (top - radius) * (top + radius))) - along;
 }
 
+double RayPlace::distanceDownTo(double altitude) const {
+  const double low = kGroundRadius + altitude, along = radius * sine;
+  return -along - std::sqrt(std::max(0.0, along * along - (radius - low) * (radius + low)));
+}
+
 double RayPlace::distanceToGround() const {
   const double along = radius * sine;
   const double square = along * along - (radius - kGroundRadius) * (radius + kGroundRadius);

@@ -31,6 +31,13 @@ struct RayPlace {
   /// Distance to an altitude (km) on the way up, at or above this place.
   double distanceUpTo(double altitude) const;
 
+  /// Distance to an altitude (km) at or below this place on the way down, or, where the ray passes above it, to where
+  /// it is lowest.
+  double distanceDownTo(double altitude) const;
+
+  /// The same ray on its way back.
+  RayPlace reversed() const { return {radius, -sine}; }
+
   /// Distance to the ground; negative where the ray misses it.
   double distanceToGround() const;
 };

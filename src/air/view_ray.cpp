@@ -13,7 +13,7 @@ ViewRay::ViewRay(const Atmosphere& air, const AirSpectrum& spectrum, const RayPl
   for (int i = 0; i < steps; ++i) {
     const auto at = [&](double u) { return length * u * u / (double(steps) * steps); };
     const double ds = at(i + 1.0) - at(i);
-    Step step{at(i + 0.5), from.after(at(i + 0.5)).altitude(), {}, {}};
+    Step step{at(i + 0.5), from.after(at(i + 0.5)).altitude(), at(i), at(i + 1.0), {}, {}};
     const OfAir density = air.densities(step.altitude);
     Spectral depth{};
     spectrum.addDepth({density.rayleigh * ds, density.ozone * ds, density.aerosol * ds}, depth);

@@ -16,6 +16,7 @@ class ViewRay {
   struct Step {
     double distance;  // km, of its middle
     double altitude;  // km
+    double from, to;  // km, of its ends
     // Of light of unit radiance that comes from all around, or of unit irradiance times the phase function: what is
     // scattered here toward the ray's beginning and arrives there.
     Spectral rayleigh, aerosol;

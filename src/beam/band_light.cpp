@@ -13,7 +13,10 @@ namespace parhelion {
 
 namespace {
 
-constexpr int kEdgeDepth = 4;
+// Triangles across which light stops getting out are parted so often, where it is faint less often, and not below this
+// share of a cell.
+constexpr int kEdgeDepth = 4, kFaintEdgeDepth = 2;
+constexpr double kSmallPart = 0.5;
 // Pieces of work that bands are made by, each of which has a room of its own.
 constexpr std::size_t kPieces = 4;
 // Light of a class is faint in a band if it is less than this over the number of rings.
@@ -244,9 +247,14 @@ void BandLight::addSegment(const Ends& ends, const LightSegments& lights, const 
     const auto add = [&](const RingCorner& p, const RingCorner& q, const RingCorner& r, double part) {
       film.add(p, q, r, part, colours[j]);
     };
+    const auto isSmall = [&](const RingCorner& p, const RingCorner& q, const RingCorner& r) {
+      const auto width = [](double a, double b, double c) { return std::max({a, b, c}) - std::min({a, b, c}); };
+      return std::max(width(p.place, q.place, r.place), width(p.turn, q.turn, r.turn)) < kSmallPart;
+    };
+    const int depth = share * all < faint ? kFaintEdgeDepth : kEdgeDepth;
     const auto& [p, q, r, t] = quad[0];
-    addParts(p, q, r, share, kEdgeDepth, between, add);
-    addParts(q, t, r, share, kEdgeDepth, between, add);
+    addParts(p, q, r, share, depth, between, add, isSmall);
+    addParts(q, t, r, share, depth, between, add, isSmall);
   }
 }
 

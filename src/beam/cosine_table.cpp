@@ -71,24 +71,35 @@ template void CosineTable::analyse<4>(const std::vector<CellPair<4>>&, int, floa
 
 template <int C>
 PARHELION_ALSO_AVX2 void CosineTable::synthesise(const float* orders, int room, float* cells) const {
+  // Two groups of cells at a time, so that additions need not wait for one another.
+  constexpr int kTogether = 2;
   const int half = cells_ / 2, groups = groupsOf(half);
-  for (int group = 0; group < groups; ++group) {
-    EightFloats sum[2][C] = {};
+  for (int first = 0; first < groups; first += kTogether) {
+    EightFloats sum[2][kTogether][C] = {};
     for (int parity = 0; parity < 2; ++parity) {
-      const EightFloats* cosines = byOrder_.data() + static_cast<std::ptrdiff_t>(parity * groups + group) * most_;
-      EightFloats own[C] = {};
+      const EightFloats* cosines[kTogether];
+      for (int g = 0; g < kTogether; ++g)
+        cosines[g] =
+            byOrder_.data() + static_cast<std::ptrdiff_t>(parity * groups + std::min(first + g, groups - 1)) * most_;
+      EightFloats own[kTogether][C] = {};
       for (int order = 0; order < room; ++order) {
-        const EightFloats cosine = cosines[order];
-        for (int c = 0; c < C; ++c) own[c] += orders[(c * 2 + parity) * room + order] * cosine;
+        float light[C];
+        for (int c = 0; c < C; ++c) light[c] = orders[(c * 2 + parity) * room + order];
+        for (int g = 0; g < kTogether; ++g) {
+          const EightFloats cosine = cosines[g][order];
+          for (int c = 0; c < C; ++c) own[g][c] += light[c] * cosine;
+        }
       }
-      for (int c = 0; c < C; ++c) sum[parity][c] = own[c];
+      for (int g = 0; g < kTogether; ++g)
+        for (int c = 0; c < C; ++c) sum[parity][g][c] = own[g][c];
     }
-    for (int k = 0; k < kGroup; ++k) {
-      const int cell = group * kGroup + k;
+    for (int k = 0; k < kTogether * kGroup; ++k) {
+      const int cell = first * kGroup + k;
       if (cell >= half) break;
       for (int c = 0; c < C; ++c) {
-        cells[4 * cell + c] = sum[0][c][k] + sum[1][c][k];
-        cells[4 * (cells_ - 1 - cell) + c] = sum[0][c][k] - sum[1][c][k];
+        const float even = sum[0][k / kGroup][c][k % kGroup], odd = sum[1][k / kGroup][c][k % kGroup];
+        cells[4 * cell + c] = even + odd;
+        cells[4 * (cells_ - 1 - cell) + c] = even - odd;
       }
     }
   }

@@ -23,18 +23,18 @@ class DirectionPatch {
  public:
   static constexpr int kCells = 16;  // along each side; even
 
-  /// Light of less than `cutShare` is not cut up (PrismTracer). `detailed`: totals have path and orders, too. The scene
-  /// must outlive this.
-  DirectionPatch(const ScatterScene& scene, double cutShare, bool detailed);
+  /// `allDirections`: solid angle of all patches. Light of less than `cutShare` is not cut up (PrismTracer).
+  /// `detailed`: totals have path and orders, too. The scene must outlive this.
+  DirectionPatch(const ScatterScene& scene, double allDirections, double cutShare, bool detailed);
 
   /// The light of a patch over the scattering angle, undeviated light apart.
   struct Bins {
     AngleBins fine;    // from all nodes
     AngleBins coarse;  // from every second one
-    AngleBins other;   // the latter with other samples of continuous light; of lines the same
+    AngleBins other;   // the latter with other indices of continuous light; not of lines
   };
 
-  /// Traces the light of a patch and adds it to bins. Of continuous light each patch has samples of its own by its
+  /// Traces the light of a patch and adds it to bins. Of continuous light each patch has indices of its own by its
   /// `number`.
   void add(const PatchBounds& bounds, int number, Bins& bins);
 
@@ -57,35 +57,46 @@ class DirectionPatch {
   /// The same for one index, and what becomes of it.
   struct Seen {
     Row energy, density, angle, excess, cosine;
+    Row bend;  // how far angles beside it stray from linear ones (rad)
   };
   /// A corner of a triangle.
   struct Corner {
     double phi, zeta, energy, density, angle, excess;
   };
-  /// The class and the index whose triangles are being added.
+  /// Light of a class between two indices.
   struct Exit {
     LightClass of;
-    RelativeIndex index;
-    Tristimulus xyz;
+    const IceLight::Segment& light;
+    const Seen &from, &to;
+    std::size_t first;  // of its places, for the first quad of nodes
   };
 
   Class& classOf(int number);
   void traceNode(int node);
   void takeLight(int node, double perAngles, std::size_t tracer);
   void addClass(const Class& c, double start, Bins& bins);
-  void see(const Class& c, const IceLight::Sample& sample);
-  /// `light`: Y of a unit of it.
-  void count(const Class& c, double light);
-  bool isWeak() const;
+  void see(const Class& c, const IceLight::Sample& sample, Seen& seen) const;
+  void count(const Exit& exit);
+  bool isWeak(const Exit& exit) const;
+  void addNodes(const Exit& exit, Bins& bins) const;
 
   /// The patch's light where it meets faces that it may leave by.
   double met() const;
-  void addTriangles(AngleBins& bins, const Exit& exit, int step) const;
-  void addTriangle(AngleBins& bins, const Exit& exit, const Corner& a, const Corner& b, const Corner& c, double area,
-                   int depth) const;
-  Corner corner(int row, int column) const;
+  static void findBends(Seen& seen);
+  /// Adds a triangle at an index `at` so far on its way, in as many parts as are worth it.
+  void addPart(AngleBins& bins, const Exit& exit, double at, const Corner& a, const Corner& b, const Corner& c,
+               double area, int depth) const;
+  /// Each quad of nodes takes light of one index.
+  template <bool isLine>
+  void addQuads(AngleBins& bins, const Exit& exit, int step) const;
+  Corner corner(const Exit& exit, std::size_t node, double at) const;
+  Corner seen(const Exit& exit, double phi, double zeta, double energy, double at) const;
+
+  /// What a bin of such a width has at an angle if light is spread evenly, more or less.
+  double evenLight(double angle, double width) const;
 
   const ScatterScene& scene_;
+  double allDirections_;
   std::vector<WantedTracer> tracers_;  // by prism, in each by what is wanted, and then by index
   std::vector<double> perShadow_;      // of each but for the index: crystals, as one over their mean shadow
   PrismLight light_;
@@ -94,10 +105,9 @@ class DirectionPatch {
   std::array<ScatterTotals, kNodes> totals_;
   std::array<int, kLightClasses> slot_;
   std::vector<Class> classes_;
-  int used_ = 0;         // of classes_
-  double strong_ = 0.0;  // light of a class in the patch that is added triangle by triangle
-  Seen seen_;
-  std::vector<IceLight::Sample> samples_;
+  int used_ = 0;              // of classes_
+  double strong_ = 0.0;       // light of a class in the patch that is added triangle by triangle
+  std::array<Seen, 2> seen_;  // at successive indices
 };
 
 }  // namespace parhelion

@@ -2,60 +2,68 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <vector>
-
-#include "beam/tristimulus.h"
 
 namespace parhelion {
 
-/// A refractive index, the share of all light that meets it, and the colour of light there: XYZ of a unit of it.
+/// A refractive index and the share of all light that meets it.
 struct IndexShare {
   double index, share;
-  Tristimulus xyz{1.0, 1.0, 1.0};
 };
 
 /// The refractive indices that light of a spectrum meets in ice.
 ///
 /// What gets to an exit changes slowly with the index, where it goes does not. So a prism is traced at a few indices,
-/// the nodes, and all others lie between them.
+/// the nodes, and all others lie between them. Where light of some more indices goes is worked out, and of all others
+/// lies between these.
 class IceLight {
  public:
   /// Lines, each traced by itself; their shares add up to 1. Throws std::invalid_argument without any.
   explicit IceLight(const std::vector<IndexShare>& lines);
 
-  /// Continuous light: its indices at evenly spaced shares of it, from 0 to 1, rising or falling, and its colours
-  /// there; all are (1, 1, 1) where there are none.
-  static IceLight continuous(std::vector<double> indexAtShares, std::vector<Tristimulus> colours = {});
+  /// Continuous light: its indices at evenly spaced shares of it, from 0 to 1, rising or falling.
+  static IceLight continuous(const std::vector<double>& indexAtShares);
 
   /// At most so many nodes are mixed for an index.
   static constexpr int kMixed = 3;
 
-  /// An index that stands for a share of the light, and what of which node makes its light.
+  /// An index, and what of which node makes its light.
   struct Sample {
-    double index, share;
-    Tristimulus xyz;
+    double index;
     std::array<int, kMixed> node;
     std::array<double, kMixed> part;
   };
 
-  /// Samples whose shares add up to 1. Of continuous light they are evenly spaced, the first so far (0 to 1) on the way
-  /// to the second; lines are what they are.
-  void sample(double start, std::vector<Sample>& samples) const;
+  /// Light between two samples, the same one for a line.
+  struct Segment {
+    static constexpr std::size_t kPlaces = 32;
 
-  bool isContinuous() const { return !continuous_.empty(); }
+    std::size_t from, to;
+    double share;                    // of all light
+    std::array<double, kPlaces> at;  // places on the way between both, from 0 to 1, of as much light each
+
+    bool isLine() const { return from == to; }
+  };
+
+  const std::vector<Sample>& samples() const { return samples_; }
+
+  /// All light; of two successive ones the second begins where the first ends, or at the next line.
+  const std::vector<Segment>& segments() const { return segments_; }
+
+  bool isContinuous() const { return !segments_.front().isLine(); }
   const std::vector<double>& nodes() const { return nodes_; }
 
-  /// What of each node makes all light (Y) together.
+  /// What of each node makes all light together.
   const std::vector<double>& nodeShares() const { return nodeShares_; }
 
  private:
   IceLight() = default;
-  Sample between(double index, double share, const Tristimulus& xyz) const;
+  Sample between(double index) const;
 
-  std::vector<double> nodes_, nodeShares_, continuous_;
-  std::vector<Tristimulus> colours_;  // of continuous light
-  Tristimulus white_{};               // their mean
-  std::vector<IndexShare> lines_;
+  std::vector<double> nodes_, nodeShares_;
+  std::vector<Sample> samples_;
+  std::vector<Segment> segments_;
 };
 
 }  // namespace parhelion

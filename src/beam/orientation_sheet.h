@@ -8,6 +8,7 @@
 #include "beam/light_table.h"
 #include "beam/sheet_cells.h"
 #include "beam/sheet_totals.h"
+#include "beam/tristimulus.h"
 #include "sky/lens.h"
 
 namespace parhelion {

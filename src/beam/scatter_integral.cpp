@@ -25,9 +25,10 @@ constexpr int kMostDepth = 12;
 // Bins with less light than this share of what they had if it were spread evenly are not refined for their own sake.
 constexpr double kDimmest = 1e-4;
 
-// Of what a mesh of half as many nodes differs by: where it errs the same way everywhere, a third is left; where signs
-// are mixed, errors add up as squares. Light of some paths alone ends at an edge, where finer meshes gain less.
-constexpr double kSystematic = 1.0 / 3.0, kAtEdges = 1.0, kMixed = 1.0;
+// Of what a mesh of half as many nodes differs by: where it errs the same way everywhere, a third is left of smooth
+// light, and more where it has bends; where signs are mixed, errors add up as squares. Light of some paths alone ends
+// at an edge, where finer meshes gain less.
+constexpr double kSystematic = 2.0 / 3.0, kAtEdges = 1.0, kMixed = 1.0;
 // The goal is met by this share of what both meshes differ by: errors of bins are then as large as the goal.
 constexpr double kOfGoal = 0.36;
 // Mean cosine and mean way are aimed at with this share of the bins' error.
@@ -42,10 +43,15 @@ struct Patch {
 
 double square(double x) { return x * x; }
 
+std::vector<double> difference(std::vector<double> a, const std::vector<double>& b) {
+  for (std::size_t k = 0; k < a.size(); ++k) a[k] -= b[k];
+  return a;
+}
+
 /// What a patch brings, and what half as many nodes would bring more.
 struct PatchLight {
-  std::vector<double> light, x, z, excess;
-  std::vector<double> sampled;  // what other samples of continuous light would bring more; empty for lines
+  std::vector<double> light, excess;
+  std::vector<double> sampled;  // what other indices of continuous light would bring more; empty for lines
   ScatterTotals totals, coarse;
 };
 
@@ -80,14 +86,16 @@ class Integration {
   Integration(const ScatterScene& scene, const ScatterAccuracy& accuracy, int bins, double from, double to)
       : scene_(scene), accuracy_(accuracy), bins_(bins), from_(from), to_(to) {
     const auto size = static_cast<std::size_t>(bins);
-    for (auto* sums : {&sum_, &x_, &z_}) sums->assign(size, 0.0);
-    systematic_.assign(size, 0.0);
-    mixed_.assign(size, 0.0);
+    for (auto* sums : {&sum_, &systematic_, &mixed_}) sums->assign(size, 0.0);
   }
 
   ScatterIntegral run() {
     std::vector<Patch> todo = firstPatches(scene_);
-    for (const Patch& patch : todo) area_ += patch.bounds.area();
+    for (const Patch& patch : todo) {
+      area_ += patch.bounds.area();
+      const auto [phi0, phi1, zeta0, zeta1] = patch.bounds;
+      solidAngle_ += (phi1 - phi0) * (portable::cos(zeta0) - portable::cos(zeta1));
+    }
     std::vector<PatchLight> made = make(todo, todo.size());
     expect(made);
     while (!todo.empty()) {
@@ -105,18 +113,14 @@ class Integration {
   std::vector<PatchLight> make(const std::vector<Patch>& patches, std::size_t most) {
     std::vector<PatchLight> made(std::min(patches.size(), most));
     forEach(made.size(), [&](std::size_t k) {
-      DirectionPatch patch(scene_, accuracy_.cutShare, accuracy_.detailed);
+      DirectionPatch patch(scene_, solidAngle_, accuracy_.cutShare, accuracy_.detailed);
       const AngleBins none(bins_, from_, to_);
       DirectionPatch::Bins bins{none, none, none};
       patch.add(patches[k].bounds, result_.patches + static_cast<int>(k), bins);
       PatchLight& light = made[k];
-      for (std::size_t bin = 0; bin < none.bins(); ++bin) {
-        light.light.push_back(bins.fine.light(bin));
-        light.x.push_back(bins.fine.light(bin, 0));
-        light.z.push_back(bins.fine.light(bin, 2));
-        light.excess.push_back(bins.coarse.light(bin) - bins.fine.light(bin));
-        if (scene_.light.isContinuous()) light.sampled.push_back(bins.other.light(bin) - bins.coarse.light(bin));
-      }
+      light.light = bins.fine.light();
+      light.excess = difference(bins.coarse.light(), bins.fine.light());
+      if (scene_.light.isContinuous()) light.sampled = difference(bins.other.light(), bins.coarse.light());
       light.totals = patch.totals(1);
       light.coarse = patch.totals(2);
     });
@@ -163,8 +167,6 @@ class Integration {
     }
     for (std::size_t bin = 0; bin < sum_.size(); ++bin) {
       sum_[bin] += made.light[bin];
-      x_[bin] += made.x[bin];
-      z_[bin] += made.z[bin];
       systematic_[bin] += made.excess[bin];
       mixed_[bin] += made.excess[bin] * made.excess[bin];
     }
@@ -183,8 +185,6 @@ class Integration {
     std::vector<double> squares;
     for (std::size_t bin = 0; bin < sum_.size(); ++bin) {
       result_.light.push_back(per * sum_[bin]);
-      result_.x.push_back(per * x_[bin]);
-      result_.z.push_back(per * z_[bin]);
       const double systematic = (scene_.wanted.empty() ? kSystematic : kAtEdges) * systematic_[bin];
       squares.push_back(systematic * systematic + kMixed * kMixed * mixed_[bin]);
     }
@@ -198,13 +198,7 @@ class Integration {
     result_.totals.add(totals_, per);
     result_.gError = per * std::max(kSystematic * std::abs(difference_.cosine), std::sqrt(cosineSquares_));
     result_.pathError = per * std::max(kSystematic * std::abs(difference_.path), std::sqrt(pathSquares_));
-    // All directions have the solid angle of their patches.
-    double solidAngle = 0.0;
-    for (const Patch& patch : firstPatches(scene_)) {
-      const auto [phi0, phi1, zeta0, zeta1] = patch.bounds;
-      solidAngle += (phi1 - phi0) * (portable::cos(zeta0) - portable::cos(zeta1));
-    }
-    result_.totals.intercepted = totals_.intercepted / solidAngle;
+    result_.totals.intercepted = totals_.intercepted / solidAngle_;
     result_.directions =
         static_cast<long>(result_.patches) * (DirectionPatch::kCells + 1) * (DirectionPatch::kCells + 1);
     return std::move(result_);
@@ -213,8 +207,8 @@ class Integration {
   const ScatterScene& scene_;
   ScatterAccuracy accuracy_;
   int bins_;
-  double from_, to_, area_ = 0.0;
-  std::vector<double> expected_, sum_, x_, z_, systematic_, mixed_;
+  double from_, to_, area_ = 0.0, solidAngle_ = 0.0;  // of all patches
+  std::vector<double> expected_, sum_, systematic_, mixed_;
   ScatterTotals totals_, difference_;
   double intercepted_ = 0.0, out_ = 0.0, path_ = 0.0;  // by the first patches
   double lit_ = 0.0;                                   // bins that have any light

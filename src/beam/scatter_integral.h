@@ -24,7 +24,6 @@ struct ScatterAccuracy {
 /// Light over the scattering angle, integrated over all orientations. Bits do not depend on threads.
 struct ScatterIntegral {
   std::vector<double> light;  // of each bin, as a share of all that is intercepted; undeviated light apart
-  std::vector<double> x, z;   // the same in the other colours
   std::vector<double> error;  // standard error of each, from what a mesh of half as many nodes differs by
   ScatterTotals totals;       // shares of all intercepted light; that itself over the mean shadow that a convex body
                               // has, a quarter of its surface (Cauchy)

@@ -97,8 +97,9 @@ class SheetCells {
         addSky({-p.lightDir, part * p.density}, {-q.lightDir, part * q.density}, {-r.lightDir, part * r.density},
                kTornDepth, strip.per, film);
       };
-      addParts(c[0], c[1], c[2], 0.5 * share, depth, between, add);
-      addParts(c[1], c[3], c[2], 0.5 * share, depth, between, add);
+      const auto isSmall = [](const auto&...) { return false; };
+      addParts(c[0], c[1], c[2], 0.5 * share, depth, between, add, isSmall);
+      addParts(c[1], c[3], c[2], 0.5 * share, depth, between, add, isSmall);
     }
   }
 

@@ -21,8 +21,9 @@ namespace {
 // says nothing, so the mean of all pixels, relative, is added, times a second factor, and absolute, times a third: dim
 // pixels may have something of an edge beside them that both miss.
 constexpr double kOfCoarse = 0.25, kOfMean = 0.75, kOfMissed = 0.1;
-// The same where tilts are spread by less than a cell, and meshes get better but by their fineness.
-constexpr double kOfCoarseAtRest = 1.2;
+// The same where tilts are spread by less than a cell, and meshes get better but by their fineness: under a point of
+// the sun, and under a disc, which spreads light, too.
+constexpr double kOfCoarseAtRest = 1.2, kOfCoarseUnderDisc = 0.55;
 // Waves that are left out leave ripples, of this share of the light beside them and of what pixels have on average.
 constexpr double kRipple = 1e-3, kFarRipple = 3e-4;
 // Pixels around that one without light is compared with, to either side.
@@ -104,7 +105,8 @@ class TiltIntegration {
   double spreadOfTilts() const { return 0.5 * std::abs(scene_.tilt(0.84) - scene_.tilt(0.16)); }
 
   double ofCoarse() const {
-    return kOfCoarse + (kOfCoarseAtRest - kOfCoarse) * std::clamp(1.0 - spreadOfTilts() / cell(), 0.0, 1.0);
+    const double atRest = scene_.sun.radius > 0.0 ? kOfCoarseUnderDisc : kOfCoarseAtRest;
+    return kOfCoarse + (atRest - kOfCoarse) * std::clamp(1.0 - spreadOfTilts() / cell(), 0.0, 1.0);
   }
 
   double cell() const { return cellOf(blurOf(camera_, scene_.sun.radius), level_); }

@@ -132,9 +132,11 @@ void TiltSky::distribute(const std::function<double(double)>& tilt, CrystalSide 
   std::vector<float> film(2 * bands * cells);
   const Vec3 sun = crystals.sun.toSun;
   const auto [ahead, left, up] = SunFrame(sun);
-  const auto placeOf = [&](double angleOfTilt, double azimuth) {
-    const auto [sinTilt, cosTilt] = portable::sincos(angleOfTilt);
-    const auto [sin, cos] = portable::sincos(azimuth);
+  std::vector<portable::SinCos> azimuths;
+  for (int j = 0; j <= kAzimuths; ++j) azimuths.push_back(portable::sincos(kPi * j / kAzimuths));
+  const auto placeOf = [&](const portable::SinCos& ofTilt, const portable::SinCos& azimuth) {
+    const auto [sinTilt, cosTilt] = ofTilt;
+    const auto [sin, cos] = azimuth;
     const Vec3 c = sinTilt * cos * ahead + sinTilt * sin * left + Vec3(0.0, 0.0, cosTilt);
     const double across = glm::dot(c, up), beside = std::abs(glm::dot(c, left));
     const double x = arctangent(beside, across) / kPi * mesh_.cells,
@@ -150,9 +152,9 @@ void TiltSky::distribute(const std::function<double(double)>& tilt, CrystalSide 
   };
   std::vector<LitPlace> before, row;
   for (int k = 0; k <= kTilts; ++k) {
-    const double at = tilt(std::clamp(quantile(k), 1e-9, 1.0 - 1e-9));
+    const portable::SinCos at = portable::sincos(tilt(std::clamp(quantile(k), 1e-9, 1.0 - 1e-9)));
     row.clear();
-    for (int j = 0; j <= kAzimuths; ++j) row.push_back(placeOf(at, kPi * j / kAzimuths));
+    for (const portable::SinCos& azimuth : azimuths) row.push_back(placeOf(at, azimuth));
     if (k > 0) {
       const double light = (quantile(k) - quantile(k - 1)) / kAzimuths;
       for (std::size_t j = 0; j < kAzimuths; ++j) {

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/picture.h"
 
+#include <cstdio>
 #include <filesystem>
+#include <memory>
 #include <system_error>
 
 #include "cli/number_options.h"
 #include "cli/outputs.h"
+#include "cli/progress.h"
 #include "cli/run_options.h"
 #include "cli/say.h"
 #include "cli/stats.h"
@@ -63,10 +66,11 @@ void requireUnit(const LightDisplay& display, const Scene& scene) {
 
 void addGamut(CLI::App& command, std::string& gamut) {
   command
-      .add_option("--gamut", gamut,
-                  "Colours of the EXR outside Rec.709: exact, with negative components, or mixed with grey of the same "
-                  "luminance until there are none; exact when left out")
-      ->type_name("exact|clip")
+      .add_option(
+          "--gamut", gamut,
+          "Colours of the EXR outside Rec.709: exact, with negative components; clip, mixed with grey of the same "
+          "luminance until there are none; or acescg, all colours in the primaries of ACEScg; exact when left out")
+      ->type_name("exact|clip|acescg")
       ->check(nameOfOne<Gamut>());
 }
 
@@ -90,6 +94,22 @@ SkyFiles PictureOptions::files(const std::string& input) const {
   if (extension != ".exr") exr.replace_extension(".exr");
   if (extension != ".png") png.replace_extension(".png");
   return {exr, png, display.settings(), gamutOf(gamut)};
+}
+
+WalkWatch walkWatch(const RunOptions& options, const StopSignal* stop) {
+  const auto progress =
+      std::make_shared<Progress>(progressStyle(options.quiet, options.progress), Progress::kOfTracing);
+  const auto show = [progress](double share, double seconds) {
+    progress->update(share, seconds, [&](Progress::Style style) {
+      char line[80];
+      if (style == Progress::Style::json)
+        std::snprintf(line, sizeof line, R"({"walks": %.4g, "seconds": %.4g})", share, seconds);
+      else
+        std::snprintf(line, sizeof line, "%5.1f %%  of the walks through the cloud", 100.0 * share);
+      return std::string(line);
+    });
+  };
+  return {stop ? &stop->requested() : nullptr, show};
 }
 
 void reportPicture(const SkyFiles& files, const WrittenSky& written, const std::vector<std::string>& remarks) {

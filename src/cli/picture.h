@@ -7,6 +7,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "cli/run_options.h"
+#include "cli/stop_signal.h"
 #include "picture/auto_exposure.h"
 #include "picture/gamut.h"
 #include "render/sky_files.h"
@@ -45,6 +47,9 @@ void requireUnit(const LightDisplay& display, const Scene& scene);
 
 /// Adds --gamut, which says what becomes of colours outside Rec.709, to a subcommand.
 void addGamut(CLI::App& command, std::string& gamut);
+
+/// A watch on the walks through a cloud: progress on stderr, and stopping where there is a StopSignal.
+WalkWatch walkWatch(const RunOptions& options, const StopSignal* stop);
 
 /// What --gamut says.
 Gamut gamutOf(const std::string& gamut);

@@ -72,7 +72,9 @@ std::optional<int> renderSmooth(const RenderOptions& options, const CLI::App& co
   if (!sky.reached) say("warning: the error asked for was not reached; the picture has its errors as they are");
   files.run = &outputs;
   files.threads = options.run.threads;
+  files.watch = walkWatch(options.run, &stop);
   const WrittenSky written = writeSkyFiles(files, std::move(sky.image), sky.info, loaded);
+  files.watch = {};
   if (!options.run.stats.empty()) {
     const Engine engine = loaded.scene.trace.engine;
     nlohmann::ordered_json json = smoothStats(made, seconds, options.run.threads, engine);
@@ -82,7 +84,7 @@ std::optional<int> renderSmooth(const RenderOptions& options, const CLI::App& co
   }
   outputs.commit();
   if (!options.run.quiet) reportPicture(files, written, {});
-  return kDone;
+  return written.orders && written.orders->interrupted ? kInterrupted : kDone;
 }
 
 int runRender(const RenderOptions& options, const CLI::App& command, Tracers& tracers) {
@@ -130,14 +132,16 @@ int runRender(const RenderOptions& options, const CLI::App& command, Tracers& tr
   ReconstructedSky sky = picture.take();
   files.run = &outputs;
   files.threads = options.run.threads;
+  files.watch = walkWatch(options.run, &stop);
   const WrittenSky written = writeSkyFiles(files, std::move(sky.image), sums.tally().info(), loaded);
+  files.watch = {};
   nlohmann::ordered_json more = nlohmann::ordered_json::object();
   if (choice) more["choice"] = choiceStats(*choice);
   if (written.orders) more["orders"] = ordersJson(*written.orders);
   run.writeStats(outputs, &more);
   outputs.commit();
   if (!options.run.quiet) reportPicture(files, written, sky.remarks);
-  return run.exitCode();
+  return written.orders && written.orders->interrupted ? kInterrupted : run.exitCode();
 }
 
 }  // namespace

@@ -80,6 +80,7 @@ nlohmann::ordered_json ordersJson(const OrderReport& report) {
   };
   nlohmann::ordered_json json;
   json["walks"] = report.walks;
+  json["interrupted"] = report.interrupted;
   json["hits"] = report.hits;
   json["seconds"] = report.seconds;
   json["direct"] = energy.direct.value() * per;
@@ -88,7 +89,7 @@ nlohmann::ordered_json ordersJson(const OrderReport& report) {
   while (last > 0 && energy.above[last - 1].units() == 0 && energy.below[last - 1].units() == 0) --last;
   for (std::size_t place = 0; place < last; ++place) json["by_order"].push_back(row(place));
   json["higher_orders"] = row(OrderLedger::kTold);
-  json["absorbed"] = 0.0;
+  json["absorbed"] = energy.absorbed.value() * per;
   json["left_out"] = energy.leftOut.value() * per;
   json["cut_off"] = energy.cutOff.value() * per;
   json["imbalance"] = energy.imbalance();
@@ -99,10 +100,12 @@ void printOrders(const OrderReport& report) {
   const OrderLedger& energy = report.energy;
   const double per = energy.in.value() > 0.0 ? 1.0 / energy.in.value() : 0.0;
   const Readable count = readable(static_cast<double>(report.walks));
-  say("%.4g%s walks through the cloud in %.2f s: out above %.4f, below %.4f, of it direct %.4f, left out %.2g, open by "
+  say("%.4g%s walks through the cloud in %.2f s%s: out above %.4f, below %.4f, of it direct %.4f, left out %.2g, open "
+      "by "
       "%.1e",
-      count.value, count.suffix, report.seconds, energy.reflected(), energy.transmitted(), energy.direct.value() * per,
-      energy.leftOut.value() * per, std::abs(energy.imbalance()));
+      count.value, count.suffix, report.seconds, report.interrupted ? ", stopped before all were done" : "",
+      energy.reflected(), energy.transmitted(), energy.direct.value() * per, energy.leftOut.value() * per,
+      std::abs(energy.imbalance()));
 }
 
 ProcessUsage processUsage() {

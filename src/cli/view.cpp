@@ -14,6 +14,7 @@
 #include "cli/view_profile.h"
 #include "optics/ice.h"
 #include "picture/transfer.h"
+#include "render/crystal_sides.h"
 #include "render/scene_attributes.h"
 #include "render/sky_files.h"
 #include "scene/parse_scene.h"
@@ -24,6 +25,7 @@
 #include "view/colour_difference.h"
 #include "view/dots.h"
 #include "view/glare.h"
+#include "view/lens_star.h"
 #include "view/line_art.h"
 
 namespace parhelion::cli {
@@ -110,9 +112,7 @@ Crystals crystalsOf(const ViewInput& input, const ViewOptions& options) {
 }
 
 /// Whether a picture shows ground, or nothing, below the horizon, and no halos.
-bool endsAtHorizon(const Scene& scene) {
-  return scene.camera.horizon == Horizon::cut || (scene.sky.air && !(scene.observer.altitude > 0.0));
-}
+bool endsAtHorizon(const Scene& scene) { return scene.camera.horizon == Horizon::cut || !crystalSides(scene).below; }
 
 /// Lines and letters for what a picture shows.
 LineArt linesOver(const ViewInput& input, const PhotoCamera& camera, const ViewOptions& options) {
@@ -252,8 +252,8 @@ bool isOutsideSky(const Camera& camera, std::size_t pixel) {
   return !camera.toSky({static_cast<double>(pixel % width) + 0.5, static_cast<double>(pixel / width) + 0.5});
 }
 
-/// Adds the glare of an eye to a picture of linear light.
-void dazzle(ViewInput& input) {
+/// Adds the glare of an eye or a lens to a picture of linear light.
+void dazzle(ViewInput& input, const ViewOptions& options) {
   if (!input.light)
     throw CLI::ValidationError("--glare", "is for linear light; " + input.path + " has been developed already");
   const std::optional<std::string> scene = input.scene();
@@ -268,7 +268,16 @@ void dazzle(ViewInput& input) {
     if (std::ranges::all_of(light.rgb(), [i](const auto* plane) { return (*plane)[i] == 0.0F; }) &&
         isOutsideSky(camera, i))
       outside.push_back(i);
-  addGlare(light, 1.0 / camera.focalLength());
+  const double pixel = 1.0 / camera.focalLength();
+  if (options.glare == "lens") {
+    const LensAperture usual;
+    if (addLensStar(light, pixel, {options.blades.value_or(usual.blades), options.aperture.value_or(usual.diameter)}) ==
+            0 &&
+        !options.quiet)
+      say("nothing in %s is bright enough for a star", input.path.c_str());
+  } else {
+    addGlare(light, pixel);
+  }
   for (const std::size_t i : outside)
     for (Channel& channel : light.channels) channel.samples[i] = 0.0F;
 }
@@ -286,7 +295,7 @@ std::vector<ViewInput> readPictures(const ViewOptions& options) {
   if (options.needsCamera() && !options.photo.given())
     for (ViewInput& picture : pictures) takeSceneBeside(picture);
   if (options.addsGlare())
-    for (ViewInput& picture : pictures) dazzle(picture);
+    for (ViewInput& picture : pictures) dazzle(picture, options);
   const char* ofLight = options.display.exposure ? "--exposure" : options.display.exposureValue ? "--ev" : "--tone";
   if ((options.display.exposure || options.display.exposureValue || !options.display.tone.empty()) &&
       std::none_of(pictures.begin(), pictures.end(), [](const auto& p) { return p.light; }))

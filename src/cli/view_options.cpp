@@ -50,7 +50,7 @@ std::string validUnsharp(const std::string& text) {
 }
 
 std::string validGlare(const std::string& text) {
-  return text == "eye" || text == "none" ? "" : expectedNot("eye or none", text);
+  return text == "eye" || text == "lens" || text == "none" ? "" : expectedNot("eye, lens or none", text);
 }
 
 std::string validBits(const std::string& text) {
@@ -95,10 +95,18 @@ void addFilters(CLI::App& command, ViewOptions& o) {
       ->transform(wholeNumber(1, kMaxDotSize));
   o.display.addTo(command, "Exposure of linear light; chosen by the picture when left out");
   command
-      .add_option("--glare", o.glare,
-                  "Spread linear light as an eye does, so that the sun dazzles: eye or none; none when left out")
-      ->type_name("eye|none")
+      .add_option(
+          "--glare", o.glare,
+          "Spread linear light as an eye does, so that the sun dazzles, or as a lens does that is stopped down, so "
+          "that it is a star: eye, lens or none; none when left out")
+      ->type_name("eye|lens|none")
       ->check(CLI::Validator(validGlare, ""));
+  command.add_option("--blades", o.blades, "Of --glare lens: edges of the aperture; 6 when left out")
+      ->type_name("N")
+      ->transform(wholeNumber(3, 30));
+  command.add_option("--aperture", o.aperture, "Of --glare lens: focal length over f-number, mm; 2 when left out")
+      ->type_name("MM")
+      ->transform(number(0.01, 1000.0));
   command.add_option("--bits", o.bits, "Bits of each component, 8 or 16; 8 when left out")
       ->type_name("8|16")
       ->check(CLI::Validator(validBits, ""));
@@ -198,6 +206,7 @@ void ViewOptions::requireSense() const {
   refuse(display.exposureValue && developsNothing, "--ev", "has no meaning for --profile, --dots and --minus");
   refuse(!display.tone.empty() && developsNothing, "--tone", "has no meaning for --profile, --dots and --minus");
   refuse(addsGlare() && developsNothing, "--glare", "has no meaning for --profile, --dots and --minus");
+  refuse((blades || aperture) && glare != "lens", blades ? "--blades" : "--aperture", "needs --glare lens");
   refuse(bits != 8 && (developsNothing || !beside.empty()), "--bits",
          "is of one picture, without --profile, --dots, --minus and --beside");
   refuse(bits != 8 && extensionOf(output) != ".png", "--bits", "needs -o with a .png");

@@ -27,8 +27,10 @@ struct ViewOptions {
   int reduction = 1;           // pixels averaged in each direction
   std::optional<double> gain;
   DisplayWords display;
-  std::string glare;  // "eye" or "none"; empty: none
-  int bits = 8;       // of a component
+  std::string glare;  // "eye", "lens" or "none"; empty: none
+  std::optional<int> blades;
+  std::optional<double> aperture;  // mm
+  int bits = 8;                    // of a component
   PhotoOptions photo;
   bool quiet = false, overwrite = false;
 
@@ -54,7 +56,7 @@ struct ViewOptions {
   /// The families that --crystals names.
   std::vector<HaloFamily> families() const;
 
-  bool addsGlare() const { return glare == "eye"; }
+  bool addsGlare() const { return glare == "eye" || glare == "lens"; }
   bool needsCamera() const { return drawsLines() || !profile.empty(); }
   OverlaySettings overlaySettings() const;
   UnsharpSettings unsharpSettings() const;

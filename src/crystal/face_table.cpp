@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "crystal/span.h"
+
 namespace parhelion {
 
 FaceTable::FaceTable(const CrystalMesh& mesh)
@@ -17,6 +19,11 @@ FaceTable::FaceTable(const CrystalMesh& mesh)
     offset.push_back(face.offset);
     area.push_back(face.area);
     areaGrows.push_back(face.normal.z == 0.0 ? 1.0 : 0.0);
+    const FaceRectangle rectangle = rectangleOf(mesh, static_cast<int>(offset.size()) - 1);
+    for (int k = 0; k < 3; ++k) {
+      sideOne[k].push_back(rectangle.one[k]);
+      sideOther[k].push_back(rectangle.other[k]);
+    }
 
     const int triangles = static_cast<int>(face.fan.size());
     for (int j = 0; j < fan; ++j) {

@@ -17,6 +17,7 @@ struct FaceTable {
   std::vector<double> offset;     // normal . point at stretch 1
   std::vector<double> area;       // at stretch 1
   std::vector<double> areaGrows;  // 1 where the area grows with the stretch, else 0
+  std::vector<double> sideOne[3], sideOther[3];  // of FaceRectangle at stretch 1
   double surfaceAlongC, surfaceAcrossC;
 
   // Of triangle j of face i, at i * fan + j. A point of it is corner + s ab + t ac, s + t <= 1.

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <utility>
 
 #include <glm/geometric.hpp>
@@ -16,36 +15,33 @@ namespace {
 // radius) differ by more than rounding makes of them.
 constexpr double kSamePlane = 1e-9;
 
-/// Where an isometry takes the vertices of a mesh; none where there is no vertex.
-std::optional<std::vector<int>> vertexImages(const CrystalMesh& mesh, const Isometry& isometry) {
-  std::vector<int> images;
-  for (const Vec3& vertex : mesh.vertices()) {
-    const Vec3 image = isometry(vertex);
-    const auto found = std::ranges::find_if(
-        mesh.vertices(), [&](const Vec3& v) { return glm::length(v - image) < kSamePlane * mesh.radius(); });
-    if (found == mesh.vertices().end()) return std::nullopt;
-    images.push_back(static_cast<int>(found - mesh.vertices().begin()));
+using Edge = std::pair<Vec3, Vec3>;
+
+/// The edges of a face, whole ones even where corners of other faces lie on them.
+std::vector<Edge> edgesOf(const CrystalMesh& mesh, const Face& face) {
+  std::vector<Edge> edges;
+  for (const std::vector<int>& ring : outlinesOf(face)) {
+    std::vector<Vec3> corners;
+    for (std::size_t i = 0, n = ring.size(); i < n; ++i) {
+      const Vec3 before = mesh.vertices()[ring[(i + n - 1) % n]], at = mesh.vertices()[ring[i]];
+      const Vec3 along = glm::normalize(mesh.vertices()[ring[(i + 1) % n]] - before);
+      if (glm::length(glm::cross(along, at - before)) > kSamePlane * mesh.radius()) corners.push_back(at);
+    }
+    for (std::size_t i = 0; i < corners.size(); ++i) edges.emplace_back(corners[i], corners[(i + 1) % corners.size()]);
   }
-  return images;
+  return edges;
 }
 
-/// Whether an isometry takes the edges of all faces to those of their images: planes do not say what of them is face
-/// where crystals are not convex.
-bool keepsEdges(const CrystalMesh& mesh, const Isometry& isometry, const std::vector<int>& images) {
-  const auto vertices = vertexImages(mesh, isometry);
-  if (!vertices) return false;
-  const auto edgesOf = [](const Face& face, const auto& place) {
-    std::set<std::pair<int, int>> edges;
-    for (const std::vector<int>& ring : outlinesOf(face))
-      for (std::size_t i = 0; i < ring.size(); ++i)
-        edges.insert(std::minmax({place(ring[i]), place(ring[(i + 1) % ring.size()])}));
-    return edges;
-  };
-  for (std::size_t f = 0; f < images.size(); ++f)
-    if (edgesOf(mesh.faces()[f], [&](int v) { return (*vertices)[static_cast<std::size_t>(v)]; }) !=
-        edgesOf(mesh.faces()[static_cast<std::size_t>(images[f])], [](int v) { return v; }))
-      return false;
-  return true;
+/// Whether an isometry takes some edges to others, in any order and sense.
+bool takesEdges(const Isometry& isometry, const std::vector<Edge>& from, const std::vector<Edge>& to, double slack) {
+  const auto isNear = [=](const Vec3& a, const Vec3& b) { return glm::length(a - b) < slack; };
+  return from.size() == to.size() && std::ranges::all_of(from, [&](const Edge& edge) {
+           const Vec3 a = isometry(edge.first), b = isometry(edge.second);
+           return std::ranges::any_of(to, [&](const Edge& other) {
+             return (isNear(a, other.first) && isNear(b, other.second)) ||
+                    (isNear(a, other.second) && isNear(b, other.first));
+           });
+         });
 }
 
 }  // namespace
@@ -66,6 +62,14 @@ std::array<Isometry, 24> hexagonalGroup() {
 }
 
 std::optional<std::vector<int>> faceImages(const CrystalMesh& mesh, const Isometry& isometry) {
+  // Planes do not say what of them is face where crystals are not convex, nor which of two faces in one plane.
+  std::vector<std::vector<Edge>> edges;
+  if (!mesh.isConvex())
+    for (const Face& face : mesh.faces()) edges.push_back(edgesOf(mesh, face));
+  const auto isAt = [&](const Face& other, const Face& face) {
+    const auto edgesAt = [&](const Face& f) -> const std::vector<Edge>& { return edges[&f - mesh.faces().data()]; };
+    return mesh.isConvex() || takesEdges(isometry, edgesAt(face), edgesAt(other), kSamePlane * mesh.radius());
+  };
   std::vector<int> images;
   std::vector<bool> taken(mesh.faces().size(), false);
   for (const Face& face : mesh.faces()) {
@@ -73,7 +77,7 @@ std::optional<std::vector<int>> faceImages(const CrystalMesh& mesh, const Isomet
     const auto image = std::ranges::find_if(mesh.faces(), [&](const Face& other) {
       return glm::length(other.normal - normal) < kSamePlane &&
              std::abs(other.offset - face.offset) < kSamePlane * mesh.radius() &&
-             std::abs(other.area - face.area) < kSamePlane * mesh.radius() * mesh.radius();
+             std::abs(other.area - face.area) < kSamePlane * mesh.radius() * mesh.radius() && isAt(other, face);
     });
     if (image == mesh.faces().end()) return std::nullopt;
     const auto index = image - mesh.faces().begin();
@@ -81,7 +85,6 @@ std::optional<std::vector<int>> faceImages(const CrystalMesh& mesh, const Isomet
     taken[index] = true;
     images.push_back(static_cast<int>(index));
   }
-  if (!mesh.isConvex() && !keepsEdges(mesh, isometry, images)) return std::nullopt;
   return images;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 #include <variant>
 
@@ -39,6 +40,12 @@ struct PopulationSettings {
   double weight = 1.0;  // share of all crystal surface in the cloud; the shares need not add up to 1
   ShapeSettings shape = PrismSettings{};
   OrientationSettings orientation = RandomOrientation{};
+  std::optional<LengthDistribution> size = std::nullopt;  // um, the largest distance between two corners
+  double distortion = 0.0;                                // rad, spread of the tilt of a face at each encounter
+  bool diffracts = false;                                 // whether faces spread the light that leaves by them
 };
+
+/// What a size may be, um; wider distributions are cut off there.
+inline constexpr double kSmallestCrystal = 0.1, kLargestCrystal = 1e5;
 
 }  // namespace parhelion

@@ -41,8 +41,7 @@ LengthLimits limitsOf(ShapeLength what) {
   return {-100.0, 100.0};
 }
 
-LengthSampler::LengthSampler(const ShapeSpread& spread) {
-  const LengthLimits limits = limitsOf(spread.what);
+LengthSampler::LengthSampler(const LengthDistribution& distribution, const LengthLimits& limits) {
   const auto byLogarithm = [&](const LogNormal& d) -> std::function<double(double)> {
     const double least = std::max(limits.lowest, 1e-9);
     const auto logarithm =
@@ -58,7 +57,7 @@ LengthSampler::LengthSampler(const ShapeSpread& spread) {
                                       return quantileOf(UniformRange{from, to}, limits);
                                     },
                                     [&](const auto& d) { return quantileOf(d, limits); }},
-                         spread.distribution);
+                         distribution);
 }
 
 double LengthSampler::at(double u) const { return quantile_(u); }

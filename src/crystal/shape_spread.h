@@ -64,8 +64,10 @@ LengthLimits limitsOf(ShapeLength what);
 /// Values of one spread by inversion.
 class LengthSampler {
  public:
+  explicit LengthSampler(const ShapeSpread& spread) : LengthSampler(spread.distribution, limitsOf(spread.what)) {}
+
   /// Throws std::invalid_argument where all of the distribution lies beyond the limits.
-  explicit LengthSampler(const ShapeSpread& spread);
+  LengthSampler(const LengthDistribution& distribution, const LengthLimits& limits);
 
   /// The value below which a fraction `u` in (0, 1) of what is drawn lies.
   double at(double u) const;

@@ -49,6 +49,7 @@ void set(const ShapeSpread& spread, double value, PyramidSettings& pyramid) {
 
 void set(const ShapeSpread&, double, PlanesSettings&) {}
 void set(const ShapeSpread&, double, MeshSettings&) {}
+void set(const ShapeSpread&, double, RosetteSettings&) {}
 
 template <class Shape>
 void setOrSpread(Shape& shape, const ShapeSpread& spread) {

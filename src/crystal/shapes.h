@@ -9,6 +9,7 @@
 #include "crystal/shapes/planes.h"
 #include "crystal/shapes/prism.h"
 #include "crystal/shapes/pyramid.h"
+#include "crystal/shapes/rosette.h"
 
 namespace parhelion {
 
@@ -18,7 +19,7 @@ namespace parhelion {
 ///   std::optional<AngleDistribution> stretchOf(const Settings&)    along c; empty when all crystals are alike
 ///   bool isHexagonal(const Settings&)                              all turns and mirrors of a regular prism about c
 ///   bool hasEndsAlike(const Settings&)                             of such: its own mirror image in the plane across c
-using ShapeSettings = std::variant<PrismSettings, PyramidSettings, PlanesSettings, MeshSettings>;
+using ShapeSettings = std::variant<PrismSettings, PyramidSettings, PlanesSettings, MeshSettings, RosetteSettings>;
 
 /// Sets a length of a shape that has it to the fixed value of a distribution, or has it drawn.
 void setLength(PrismSettings& prism, const ShapeSpread& spread);

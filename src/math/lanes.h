@@ -260,6 +260,14 @@ template <class T>
 PARHELION_INLINE T dot(const Triple<T>& a, const Triple<T>& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
+template <class T>
+PARHELION_INLINE Triple<T> cross(const Triple<T>& a, const Triple<T>& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+template <class T>
+PARHELION_INLINE Triple<T> select(const MaskOf<T>& which, const Triple<T>& a, const Triple<T>& b) {
+  return {select(which, a.x, b.x), select(which, a.y, b.y), select(which, a.z, b.z)};
+}
 
 /// rows[0 ... 2][index], lane by lane.
 template <class T, class Row>

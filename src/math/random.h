@@ -49,7 +49,15 @@ PARHELION_INLINE T toUnitInterval(const WordsOf<T>& bits) {
 }
 
 /// What random numbers are used for. Each purpose has a stream of its own.
-enum class RandomPurpose : std::uint32_t { incidence = 0, path = 1, pilot = 2, population = 3, walk = 4, shape = 5 };
+enum class RandomPurpose : std::uint32_t {
+  incidence = 0,
+  path = 1,
+  pilot = 2,
+  population = 3,
+  walk = 4,
+  shape = 5,
+  size = 6
+};
 
 /// Two words of 64 random bits.
 template <class Words>

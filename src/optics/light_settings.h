@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <concepts>
 #include <optional>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -67,19 +69,81 @@ struct SunSettings {
   std::optional<double> azimuth = std::nullopt;  // rad, clockwise from north, where it is known
 };
 
-/// Warren & Brandt's table of the refractive index of ice.
-struct TabulatedIce {};
+/// What crystals may be made of, by indices that were published; see optics/materials.h.
+enum class Material { ice, cubicIce, co2Ice, ammoniaIce, salt, water };
+
+constexpr std::string_view nameOf(Material value) {
+  switch (value) {
+    case Material::ice:
+      return "warren-brandt";
+    case Material::cubicIce:
+      return "cubic-ice";
+    case Material::co2Ice:
+      return "co2-ice";
+    case Material::ammoniaIce:
+      return "ammonia-ice";
+    case Material::salt:
+      return "salt";
+    case Material::water:
+      return "water";
+  }
+  return {};
+}
+
+/// The index of a material.
+struct PublishedIndex {
+  Material material = Material::ice;
+};
 
 /// One index at every wavelength.
-struct ConstantIce {
+struct ConstantIndex {
   double index = 1.31;
 };
 
 /// Several indices, each at every wavelength: rays take them in turn.
-struct IceMixture {
+struct IndexMixture {
   std::vector<double> indices;
 };
 
-using IceSettings = std::variant<TabulatedIce, ConstantIce, IceMixture>;
+/// Sellmeier's formula, n^2 = constant + sum of strength w^2 / (w^2 - resonance), w in micrometres.
+struct SellmeierIndex {
+  struct Term {
+    double strength;
+    double resonance;  // um^2
+  };
+  double constant = 1.0;
+  std::vector<Term> terms;
+};
+
+/// Cauchy's formula, n = c0 + c1 / w^2 + c2 / w^4 + ..., w in micrometres.
+struct CauchyIndex {
+  std::vector<double> coefficients;
+};
+
+/// Measured values, linear in wavelength between, the ends' values beyond.
+struct IndexTable {
+  struct Node {
+    double wavelength;  // nm, rising
+    double index;
+    double k = 0.0;  // the imaginary part of the index
+  };
+  std::vector<Node> nodes;  // at least one
+  bool hasK = false;        // whether k was measured
+};
+
+using IndexSettings =
+    std::variant<PublishedIndex, ConstantIndex, IndexMixture, SellmeierIndex, CauchyIndex, IndexTable>;
+
+/// What all crystals of a scene are made of.
+struct IceSettings {
+  IndexSettings index;
+  bool absorbs = false;                    // whether light is absorbed on its way through crystals
+  std::optional<double> k = std::nullopt;  // imaginary part of the index, the same at every wavelength; else its own
+
+  IceSettings() = default;
+  template <class Index>
+  requires std::constructible_from<IndexSettings, Index> IceSettings(Index own)
+      : index(std::move(own)) {}  // NOLINT: indices are ice
+};
 
 }  // namespace parhelion

@@ -31,16 +31,17 @@ extern const std::array<Vec3, kDaylightNodes> kDaylight;
 struct IceNode {
   double wavelength;  // nm
   double index;
+  double k;  // the imaginary part
 };
 
-/// Real refractive index of ice Ih at 266 K. Warren & Brandt 2008, J. Geophys. Res. 113, D14220.
+/// Refractive index of ice Ih at 266 K. Warren & Brandt 2008, J. Geophys. Res. 113, D14220.
 extern const std::array<IceNode, 48> kIceIndex;
 
 inline constexpr int kOzoneStep = 10;  // nm
 inline constexpr int kOzoneNodes = 48;
 
-/// Absorption cross section of ozone at 233 K, m^2: means over each 10 nm from 360 nm on. Serdyuchenko, Gorshelev, Weber,
-/// Chehade & Burrows 2011 (IUP Bremen), averaged by Bruneton 2017, Precomputed Atmospheric Scattering.
+/// Absorption cross section of ozone at 233 K, m^2: means over each 10 nm from 360 nm on. Serdyuchenko, Gorshelev,
+/// Weber, Chehade & Burrows 2011 (IUP Bremen), averaged by Bruneton 2017, Precomputed Atmospheric Scattering.
 extern const std::array<double, kOzoneNodes> kOzoneCrossSection;
 
 }  // namespace parhelion

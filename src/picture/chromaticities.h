@@ -14,6 +14,9 @@ struct Chromaticities {
 
 inline const Chromaticities kRec709Chromaticities{{0.64, 0.33}, {0.30, 0.60}, {0.15, 0.06}, {0.3127, 0.3290}};
 
+/// Those of ACEScg (Academy S-2014-004: primaries AP1, the white of ACES near D60).
+inline const Chromaticities kAcesCgChromaticities{{0.713, 0.293}, {0.165, 0.830}, {0.128, 0.044}, {0.32168, 0.33767}};
+
 /// What speaks against taking the primaries for those of Rec.709: "" where they are within 1e-3, else "its colours have
 /// the primaries ..., not sRGB's".
 std::string chromaticitiesObjection(const Chromaticities& chromaticities);

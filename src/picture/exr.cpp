@@ -53,12 +53,17 @@ std::string captureDate() {
   return date.data();
 }
 
-Imf::Header beautyHeader(const Image& image, ExrAttributes attributes, Envmap envmap) {
+Imf::Chromaticities stored(const Chromaticities& space) {
+  const auto v2f = [](const Vec2& c) { return Imath::V2f(static_cast<float>(c.x), static_cast<float>(c.y)); };
+  return {v2f(space.red), v2f(space.green), v2f(space.blue), v2f(space.white)};
+}
+
+Imf::Header beautyHeader(const Image& image, ExrAttributes attributes, Envmap envmap, const Chromaticities& space) {
   Imf::Header header(image.width, image.height);
   header.compression() = Imf::ZIP_COMPRESSION;
   header.zipCompressionLevel() = kZipLevel;
   for (const Channel& channel : image.channels) header.channels().insert(channel.name, Imf::Channel(Imf::FLOAT));
-  Imf::addChromaticities(header, Imf::Chromaticities());  // the default is Rec.709 with D65
+  Imf::addChromaticities(header, stored(space));
   if (envmap == Envmap::latLong) Imf::addEnvmap(header, Imf::ENVMAP_LATLONG);
   if (const std::string date = captureDate(); !date.empty()) attributes["capDate"] = date;
   insertText(header, attributes);
@@ -150,7 +155,7 @@ void convertToRec709(const std::filesystem::path& path, ExrFile& file) {
   if (!toRec709)
     throw std::runtime_error(path.string() + ": " + objection +
                              ", and these make no colour space; --assume-srgb takes them as they are");
-  file.image.changeColours(
+  file.image.changeColoursOfAll(
       [&](const Vec3& stored) { return std::isfinite(stored.x + stored.y + stored.z) ? *toRec709 * stored : stored; });
 }
 
@@ -164,11 +169,20 @@ std::optional<double> whiteLuminanceOf(const ExrAttributes& attributes) {
 
 void requireSourceDate() { captureDate(); }
 
-void writeBeautyExr(const Output& output, const Image& image, ExrAttributes attributes, Envmap envmap) {
+void writeBeautyExr(const Output& output, const Image& rec709, ExrAttributes attributes, Envmap envmap,
+                    const Chromaticities& space) {
+  const bool isConverted = !chromaticitiesObjection(space).empty();
+  Image converted;
+  if (isConverted) {
+    converted = rec709;
+    const Mat3 fromRec709 = inverse(*rgbToRec709(space));
+    converted.changeColoursOfAll([&](const Vec3& colour) { return fromRec709 * colour; });
+  }
+  const Image& image = isConverted ? converted : rec709;
   withExrErrors(output.path, [&] {
     attributes.insert_or_assign(kPictureKey, std::string(1, kPictureFormat));
     attributes.erase(kChecksumKey);  // of the picture that this one was made from
-    Imf::Header header = beautyHeader(image, attributes, envmap);
+    Imf::Header header = beautyHeader(image, attributes, envmap, space);
     header.insert(kChecksumKey, Imf::StringAttribute(pictureChecksum(header, checksumsOf(image))));
     AtomicFile file(output);
     {

@@ -48,11 +48,13 @@ enum class ExrColours {
 /// What becomes of a picture of ours that is damaged, or that another program has changed but for its checksum.
 enum class EditedPictures { refused, read };
 
-/// Writes a picture for any viewer: one part, all channels as 32-bit floats, scan lines, ZIP, with the chromaticities
-/// of Rec.709, a checksum and, for environment light, the attribute `envmap`. Adds `capDate` if the environment sets
-/// SOURCE_DATE_EPOCH; else the same picture gives the same bytes. In one piece or not at all (atomic_file.h). Throws
-/// std::runtime_error "path: reason".
-void writeBeautyExr(const Output& output, const Image& image, ExrAttributes attributes, Envmap envmap = Envmap::none);
+/// Writes a picture for any viewer: one part, all channels as 32-bit floats, scan lines, ZIP, with a checksum and, for
+/// environment light, the attribute `envmap`. Its colours, and those of its layers, are written in the primaries of
+/// `space`, to which they are taken from Rec.709 by a Bradford adaptation, with the chromaticities of these. Adds
+/// `capDate` if the environment sets SOURCE_DATE_EPOCH; else the same picture gives the same bytes. In one piece or not
+/// at all (atomic_file.h). Throws std::runtime_error "path: reason".
+void writeBeautyExr(const Output& output, const Image& image, ExrAttributes attributes, Envmap envmap = Envmap::none,
+                    const Chromaticities& space = kRec709Chromaticities);
 
 /// Throws std::runtime_error if SOURCE_DATE_EPOCH is set and no EXR could be written with it.
 void requireSourceDate();

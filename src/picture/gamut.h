@@ -9,8 +9,9 @@ namespace parhelion {
 
 /// What becomes of colours that Rec.709 holds only with a negative component.
 enum class Gamut {
-  exact,  // they stay as they are
-  clip,   // intoGamut()
+  exact,   // they stay as they are
+  clip,    // intoGamut()
+  acescg,  // the picture is written in the primaries of ACEScg, in which all but the purest are positive
 };
 
 constexpr std::string_view nameOf(Gamut gamut) {
@@ -19,6 +20,8 @@ constexpr std::string_view nameOf(Gamut gamut) {
       return "exact";
     case Gamut::clip:
       return "clip";
+    case Gamut::acescg:
+      return "acescg";
   }
   return {};
 }

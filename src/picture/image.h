@@ -61,7 +61,24 @@ struct Image {
   template <class Change>
   void changeColours(const Change& change) {
     static_cast<void>(rgb());
-    const std::array planes{find("R"), find("G"), find("B")};
+    change3({find("R"), find("G"), find("B")}, change);
+  }
+
+  /// The same of every layer NAME that has the channels NAME.R, NAME.G and NAME.B.
+  template <class Change>
+  void changeColoursOfAll(const Change& change) {
+    changeColours(change);
+    for (const Channel& channel : channels) {
+      if (!channel.name.ends_with(".R")) continue;
+      const std::string layer = channel.name.substr(0, channel.name.size() - 1);
+      const std::array planes{find(channel.name), find(layer + "G"), find(layer + "B")};
+      if (planes[1] && planes[2]) change3(planes, change);
+    }
+  }
+
+ private:
+  template <class Change>
+  void change3(const std::array<std::vector<float>*, 3>& planes, const Change& change) {
     for (std::size_t i = 0; i < pixels(); ++i) {
       const Vec3 colour = change(Vec3((*planes[0])[i], (*planes[1])[i], (*planes[2])[i]));
       for (int c = 0; c < 3; ++c) (*planes[static_cast<std::size_t>(c)])[i] = static_cast<float>(colour[c]);

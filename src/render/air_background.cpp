@@ -30,6 +30,15 @@ constexpr double kMetresPerKilometre = 1000.0;
 
 double altitudeOf(const Scene& scene) { return scene.observer.altitude / kMetresPerKilometre; }
 
+/// Of the cloud, km; none: that of the observer.
+std::optional<double> cloudAltitudeOf(const Scene& scene) {
+  const std::optional<double> own = cloudAltitude(scene);
+  if (!own) return {};
+  const double altitude = *own / kMetresPerKilometre;
+  // Not between an observer's feet and eyes.
+  return crystalSides(scene).above ? std::max(altitude, altitudeOf(scene) + kEyeHeight) : altitude;
+}
+
 /// Channels of a picture by what they hold.
 struct Planes {
   struct Colours {
@@ -64,13 +73,14 @@ class Background {
         camera_(camera),
         scene_(scene),
         planes_(image),
-        sky_(scene.sky, altitudeOf(scene), scene.sun.elevation),
+        sky_(scene.sky, altitudeOf(scene), scene.sun.elevation, sunBands(), cloudAltitudeOf(scene)),
         toRec709_(xyzToRec709()),
         slab_(slab),
         more_(more),
         clouded_(sky_, slab, scene),
-        arriving_(sky_.sunlight().y / solarIlluminance(scene.sun.spectrum)),
-        fromHalo_(arriving_ * (toRec709_ * rec709ToXyz(info.white))) {}
+        illuminance_(solarIlluminance(scene.sun.spectrum)),
+        fromHalo_(sky_.sunlightAtCloud().y / illuminance_ * (toRec709_ * rec709ToXyz(info.white))),
+        sunlight_(toRec709_ * sky_.sunlightAtCloud()) {}
 
   void add() {
     addHaze(image_, camera_, scene_, slab_.ofHaze());
@@ -92,21 +102,30 @@ class Background {
  private:
   void addTo(int x, int y) {
     const auto toSky = camera_.toSky(Vec2(x + 0.5, y + 0.5));
-    // Below the horizon there is ice only where the observer is in the air.
-    const bool hasIce = toSky && (toSky->z > 0.0 || scene_.observer.altitude > 0.0);
-    const double factor = hasIce ? 1.0 : 0.0;
+    const bool hasIce = toSky && clouded_.showsCrystals(*toSky);
+    const Vec3 through = hasIce ? throughAir(*toSky) : Vec3(0.0);
     const std::size_t i = static_cast<std::size_t>(y) * static_cast<std::size_t>(image_.width) + std::size_t(x);
     const auto rescale = [&](const Planes::Colours& plane, const Vec3& more) {
-      const Vec3 rgb = factor * (fromHalo_ * Vec3(plane.r[i], plane.g[i], plane.b[i])) + more;
+      const Vec3 rgb = through * (fromHalo_ * Vec3(plane.r[i], plane.g[i], plane.b[i])) + more;
       plane.r[i] = static_cast<float>(rgb.x);
       plane.g[i] = static_cast<float>(rgb.y);
       plane.b[i] = static_cast<float>(rgb.z);
     };
     for (const Planes::Colours& layer : planes_.layers) rescale(layer, Vec3(0.0));
     for (const Planes::Colours& whole : planes_.whole) rescale(whole, toSky ? behind(*toSky, x, y) : Vec3(0.0));
-    const auto brightness = static_cast<float>(factor * arriving_);
+    const double arriving = hasIce ? clouded_.fromCloud(*toSky).y : 0.0;
+    const auto brightness = static_cast<float>(arriving / illuminance_);
     if (planes_.variance) planes_.variance[i] *= brightness * brightness;
     if (planes_.bias) planes_.bias[i] *= brightness;
+  }
+
+  /// What the air before the cloud leaves of its light, of red, green and blue: that of sunlight.
+  Vec3 throughAir(const Vec3& toSky) const {
+    const Vec3 left = toRec709_ * clouded_.fromCloud(toSky);
+    Vec3 share(1.0);
+    for (int c = 0; c < 3; ++c)
+      if (sunlight_[c] > 0.0) share[c] = std::max(0.0, left[c] / sunlight_[c]);
+    return share;
   }
 
   Vec3 behind(const Vec3& toSky, int x, int y) const {
@@ -127,8 +146,9 @@ class Background {
   const SlabLight& slab_;  // in sunlight as it is above the air
   const Image* more_;
   CloudedSky clouded_;
-  double arriving_;  // share of that which reaches the crystals
-  Mat3 fromHalo_;    // from the slab's light to Rec.709
+  double illuminance_;  // of that, lx
+  Mat3 fromHalo_;       // from the slab's light to Rec.709
+  Vec3 sunlight_;       // at the cloud, Rec.709
 };
 
 }  // namespace
@@ -140,8 +160,9 @@ SunSettings sunAtCloud(const Scene& scene) {
   const Atmosphere air(scene.sky);
   std::vector<double> transmittance;
   double most = 0.0;
+  const double altitude = cloudAltitudeOf(scene).value_or(altitudeOf(scene) + kEyeHeight);
   for (int i = 0; i < kVisibleNodes; ++i) {
-    transmittance.push_back(air.sunTransmittance(kVisibleFirst + i, altitudeOf(scene) + kEyeHeight, sun.elevation));
+    transmittance.push_back(air.sunTransmittance(kVisibleFirst + i, altitude, sun.elevation));
     most = std::max(most, transmittance.back());
   }
   if (most > 0.0) light->transmittance = std::move(transmittance);

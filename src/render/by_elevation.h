@@ -15,12 +15,14 @@ namespace parhelion {
 /// Light along the horizon has gone through a cloud without end: the sine of the elevation is never taken for less.
 inline constexpr double kLevelRise = 1e-6;
 
-/// A number by the elevation of a direction, above the horizon and below it: a table, closer toward the horizon.
-class ByElevation {
+/// A number, or several, by the elevation of a direction, above the horizon and below it: a table, closer toward the
+/// horizon.
+template <class Number>
+class NumberByElevation {
  public:
-  ByElevation() = default;
+  NumberByElevation() = default;
   template <class F>
-  explicit ByElevation(const F& ofDirection) {
+  explicit NumberByElevation(const F& ofDirection) {
     for (const double side : {1.0, -1.0})
       for (std::size_t k = 0; k <= kNodes; ++k) {
         const double place = static_cast<double>(k) / static_cast<double>(kNodes),
@@ -31,19 +33,21 @@ class ByElevation {
 
   bool isEmpty() const { return numbers_.empty(); }
 
-  double at(const Vec3& toSky) const {
+  Number at(const Vec3& toSky) const {
     const double place =
         kNodes *
         std::sqrt(std::abs(arctangent(toSky.z, std::sqrt(toSky.x * toSky.x + toSky.y * toSky.y))) / (0.5 * kPi));
     const auto node = std::min(static_cast<std::size_t>(place), kNodes - 1);
-    const double* const at = &numbers_[(toSky.z > 0.0 ? 0 : kNodes + 1) + node];
+    const Number* const at = &numbers_[(toSky.z > 0.0 ? 0 : kNodes + 1) + node];
     return at[0] + (place - static_cast<double>(node)) * (at[1] - at[0]);
   }
 
  private:
   static constexpr std::size_t kNodes = 4096;
-  std::vector<double> numbers_;
+  std::vector<Number> numbers_;
 };
+
+using ByElevation = NumberByElevation<double>;
 
 /// What a function of directions, which changes fast at the horizon alone, is in a pixel's middle, or, near the
 /// horizon, on average over the pixel. A number that T{} is the zero of.

@@ -55,8 +55,11 @@ CloudFlux cloudFlux(double depth, double rise, double g) {
 }
 
 CloudedSky::CloudedSky(const AirSky& clear, const SlabLight& slab, const Scene& scene)
-    : clear_(clear), slab_(slab), isClear_(!scene.cloud), isBelow_(scene.observer.altitude > 0.0) {
+    : clear_(clear), slab_(slab), isClear_(!scene.cloud), sides_(crystalSides(scene)) {
   if (isClear_) return;
+  if (cloudAltitude(scene))
+    fromCloud_ = NumberByElevation<Vec3>(
+        [&](const Vec3& toSky) { return clear.throughAir(portable::atan2(toSky.z, std::hypot(toSky.x, toSky.y))); });
   g_ = meanG(scene);
   if (slab.isSameAllAround()) {
     direct_ = ByElevation([&](const Vec3& toSky) { return directThrough(toSky); });
@@ -81,14 +84,24 @@ double CloudedSky::through(const Vec3& toSky) const {
 }
 
 Vec3 CloudedSky::radiance(const Vec3& toSky) const {
-  if (isClear_) return clear_.radiance(toSky);
-  const bool isUp = toSky.z > 0.0;
-  if (!isUp && !isBelow_) return groundLeft_ * clear_.radiance(toSky);
-  const double direct = direct_.isEmpty() ? directThrough(toSky) : direct_.at(toSky);
-  const double all = all_.isEmpty() ? through(toSky) : all_.at(toSky);
-  const Vec3 behind = clear_.radiance(toSky);
-  return isUp ? direct * behind + (all - direct) * above_ + (1.0 - all) * below_
-              : direct * groundLeft_ * behind + (all - direct) * below_ + (1.0 - all) * above_;
+  const Vec3 clear = clear_.radiance(toSky);
+  if (isClear_) return clear;
+  // The horizon of the round earth lies below that of a level cloud, which is seen down to it.
+  Vec3 toCloud = toSky;
+  if (sides_.above && !sides_.below && toSky.z > portable::sin(clear_.horizon()))
+    toCloud.z = std::max(toCloud.z, kLevelRise);
+  const bool isUp = toCloud.z > 0.0;
+  // Where no crystals are seen is the ground under the cloud, or the sky over it.
+  if (!showsCrystals(toCloud)) return isUp || sides_.below ? clear : groundLeft_ * clear;
+  const double direct = direct_.isEmpty() ? directThrough(toCloud) : direct_.at(toCloud);
+  const double all = all_.isEmpty() ? through(toCloud) : all_.at(toCloud);
+  const Vec3 before = clear_.radianceBeforeCloud(toSky), behind = clear - before;
+  const Vec3 beyond = isUp ? above_ : below_, returned = isUp ? below_ : above_;
+  Vec3 through = fromCloud(toCloud);
+  for (int c = 0; c < 3; ++c)
+    through[c] = clear_.sunlightAtCloud()[c] > 0.0 ? through[c] / clear_.sunlightAtCloud()[c] : 1.0;
+  return (isUp ? groundLeft_ * before + direct * behind : before + direct * groundLeft_ * behind) +
+         through * ((all - direct) * beyond + (1.0 - all) * returned);
 }
 
 }  // namespace parhelion

@@ -22,6 +22,8 @@ namespace {
 // usual where there is but one number of them.
 constexpr std::array<std::uint64_t, 2> kLooks{100'000, 400'000};
 constexpr double kLeastPower = 0.2, kUsualPower = 0.33, kMostPower = 0.5;
+// By the least power rays take less than this share of what they are asked for: there is no need for a second look.
+constexpr double kClear = 0.5;
 // Seconds of a ray; of a pixel to be reconstructed in colours, of one tally: plain, by our method, by one of others.
 constexpr double kRay = 0.28e-6, kPlain = 0.3e-6, kAdaptive = 2.6e-6, kOther = 4e-6, kGrey = 0.65;
 // Rays that the scene does not have enough of for the error are so much dearer.
@@ -87,6 +89,7 @@ std::optional<RaysForecast> forecastRays(const LoadedScene& loaded, double error
     rays = static_cast<double>(traced = next);
     last = *own;
     if (last <= error || forecast(kMostPower).seconds > most) break;
+    if (std::isfinite(most) && forecast(kLeastPower).seconds < kClear * most) break;
   }
   return forecast(power);
 }
@@ -101,8 +104,9 @@ bool EngineChoice::goOn(double work) {
     all.scene.trace.engine = Engine::automatic;
     const std::optional<RaysForecast> whole = forecastRays(all, error_, control_, integral_);
     rays_ = whole ? whole->seconds : 0.0;
-    // Some take rays in any case; what the integral leaves of the error is theirs.
-    if (const std::optional<LoadedScene> rest = onlyTraced(loaded_); whole && rest) {
+    // Some take rays in any case; what the integral leaves of the error is theirs. That matters but where rays for all
+    // take longer.
+    if (const std::optional<LoadedScene> rest = onlyTraced(loaded_); whole && rest && whole->seconds >= integral_) {
       const double share = tracedShareOf(loaded_.scene);
       if (const auto forecast = forecastRays(*rest, error_ * (kOfGoal + (1.0 - kOfGoal) / share), control_))
         rays_ = std::max(whole->seconds - forecast->seconds, 0.0);

@@ -17,7 +17,7 @@ struct RaysForecast {
 };
 
 /// By the first few hundred thousand rays of the scene, as many on any machine, or by less of them where these are
-/// enough to see that all will take more than `most` seconds. None where the control stops them.
+/// enough to see that all will take more than `most` seconds, or less. None where the control stops them.
 std::optional<RaysForecast> forecastRays(const LoadedScene& loaded, double error, const TraceControl& control,
                                          double most = std::numeric_limits<double>::infinity());
 
@@ -34,7 +34,8 @@ class EngineChoice {
 
   /// What the integral has taken and what was left when it was asked last, by the forecast: seconds of one thread.
   double integral() const { return integral_; }
-  /// What rays would, for as much of the picture; none if they were not looked at.
+  /// What rays would, for as much of the picture; for all of it where they are quicker even so. None if they were not
+  /// looked at.
   std::optional<double> rays() const { return rays_; }
 
  private:

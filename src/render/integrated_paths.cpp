@@ -256,7 +256,7 @@ class Integration {
 
 std::string objectionToIntegratedPaths(const Scene& scene) {
   for (const PopulationSettings& population : scene.populations)
-    if (const std::string objection = objectionTo(population, false); !objection.empty())
+    if (const std::string objection = objectionTo(scene, population, false); !objection.empty())
       return "population " + population.name + " " + objection;
   return {};
 }

@@ -37,7 +37,7 @@ double depthOf(const SlabStack::Layer& layer, const Vec3& direction) {
 LayeredLight::LayeredLight(const SlabStack& stack, const Extinction& all, const Scene& scene)
     : illuminance_(solarIlluminance(scene.sun.spectrum)),
       toSun_(Sun(scene.sun).toCentre()),
-      isAboveGround_(hidesCloudBelow(scene)) {
+      sides_(crystalSides(scene)) {
   const Extinction::Crystals lit = all.at(toSun_);
   shadow_ = lit.shadow * (1.0 - lit.ofHaze) * all.zenithShadow();
   double above = 0.0;
@@ -63,7 +63,7 @@ double LayeredLight::fromSun() const { return layers_.back().fromSunTop + layers
 /// Luminance of what the layer sends there, of crystals that intercept a unit of light for each unit of surface and
 /// send it evenly to all sides, times 4 pi.
 double LayeredLight::lightOf(std::size_t k, const Vec3& toSky) const {
-  if (!(toSun_.z > 0.0) || (isAboveGround_ && !(toSky.z > 0.0))) return 0.0;
+  if (!(toSun_.z > 0.0) || !sides_.has(toSky)) return 0.0;
   const Layer& layer = layers_[k];
   const bool seenFromBelow = toSky.z > 0.0;
   const double own = depthOf(*layer.contents, toSky);

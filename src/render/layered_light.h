@@ -7,6 +7,7 @@
 #include "math/portable.h"
 #include "picture/image.h"
 #include "render/by_elevation.h"
+#include "render/crystal_sides.h"
 #include "scene/scene.h"
 #include "sky/camera.h"
 #include "trace/phase_function.h"
@@ -16,11 +17,6 @@ namespace parhelion {
 
 /// (1 - exp(-x)) / x for x >= 0: what gets through on average from all places on a way of that depth.
 inline double meanThrough(double x) { return x < 1e-5 ? 1.0 - 0.5 * x : (1.0 - portable::exp(-x)) / x; }
-
-/// Whether there is ground, and no part of the scene's cloud, below the horizon.
-inline bool hidesCloudBelow(const Scene& scene) {
-  return scene.cloud && scene.sky.air && !(scene.observer.altitude > 0.0);
-}
 
 /// What a cloud of several layers makes of the light of single crystals, which was scattered once (slab_light.h).
 /// Sunlight gets to a layer through those above; what a layer sends down goes through those below it, and what it sends
@@ -54,7 +50,7 @@ class LayeredLight {
   double illuminance_;
   double shadow_;  // of all crystals in sunlight, in units of the surface of a weight of 1
   Vec3 toSun_;
-  bool isAboveGround_;
+  CrystalSides sides_;
   std::vector<Layer> layers_;
   std::vector<std::string> populations_;
   std::vector<PhaseFunction> phases_;

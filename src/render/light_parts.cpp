@@ -55,7 +55,7 @@ std::vector<PopulationPlan> plansOf(const Scene& scene) {
   std::vector<PopulationPlan> plans;
   for (std::size_t k = 0; k < scene.populations.size(); ++k) {
     const PopulationSettings& population = scene.populations[k];
-    PopulationPlan own{{}, objectionTo(population, false)};
+    PopulationPlan own{{}, objectionTo(scene, population, false)};
     for (const LayerSettings& layer : paths.layers)
       if (own.objection.empty() && layer.tilt && layer.isOf(population.name))
         own.objection = "has light that the layer " + layer.name + " tells apart by tilts";

@@ -10,8 +10,10 @@
 #include "parallel/loops.h"
 #include "parallel/threads.h"
 #include "render/air_background.h"
+#include "render/crystal_sides.h"
 #include "render/traced_sky.h"
 #include "sky/radiance.h"
+#include "trace/flight_places.h"
 #include "trace/sky_film.h"
 
 namespace parhelion {
@@ -66,7 +68,7 @@ bool isOfErrors(const std::string& name) { return name == kVarianceChannel || na
 }  // namespace
 
 std::optional<MoreOrders> moreOrders(const LoadedScene& loaded, std::uint64_t rays, const SlabLight& slab,
-                                     const LayerGains& gains, int threads) {
+                                     const LayerGains& gains, int threads, const WalkWatch& watch) {
   const Scene& scene = loaded.scene;
   const SunSettings sun = sunAtCloud(scene);
   const double rise = Sun(sun).toCentre().z;
@@ -77,15 +79,23 @@ std::optional<MoreOrders> moreOrders(const LoadedScene& loaded, std::uint64_t ra
   const auto& layers = scene.trace.paths.layers;
   OrderDeposits deposits;
   deposits.scale = 1.0 / (orders.scattered() * secondShare(scene.cloud->opticalDepth));
+  const CrystalSides sides = crystalSides(scene);
+  deposits.fromBelow = sides.above;
+  deposits.fromAbove = sides.below;
   if (!layers.empty()) deposits.layerOf = [&](int order) { return layerOf(layers, order); };
   SkyFilm film(talliesOf(tally), tally.shared().empty() ? nullptr : &tally.shared().front());
   TraceControl control;
   control.threads = threads;
+  if (watch.stop && !*watch.stop) control.stop = watch.stop;
   const std::uint64_t walks = std::max<std::uint64_t>(1, (rays > 0 ? rays : scene.trace.rays) / kRaysPerWalk);
+  if (watch.onProgress)
+    control.onProgress = [&](std::uint64_t done, double seconds) {
+      watch.onProgress(static_cast<double>(done) / static_cast<double>(walks), seconds);
+    };
   MoreOrders more{{}, traceOrders(orders, walks, scene.trace, deposits, film, control)};
   for (Tally* one : talliesOf(tally)) more.report.light.addTo(one->info);
   for (SkyTally::Shared& shared : tally.shared()) more.report.light.addTo(shared.info);
-  tally.info().rays = {{0, walks}};
+  tally.info().rays = {{0, more.report.walks}};
   tally.shareOrigin();
   more.image = withThreads(threads, [&] { return reconstruct(tally, scene.recon, gains); }).image;
   scale(more.image, slab.illuminance() * rise / deposits.scale);

@@ -51,8 +51,8 @@ std::vector<double> indicesAtShares(const Spectrum& spectrum, const IceSettings&
 
 /// The indices of an ice that has them whatever the wavelength; empty for others.
 std::vector<double> fixedIndices(const IceSettings& ice) {
-  if (const auto* mixture = std::get_if<IceMixture>(&ice)) return mixture->indices;
-  if (const auto* constant = std::get_if<ConstantIce>(&ice)) return {constant->index};
+  if (const auto* mixture = std::get_if<IndexMixture>(&ice.index)) return mixture->indices;
+  if (const auto* constant = std::get_if<ConstantIndex>(&ice.index)) return {constant->index};
   return {};
 }
 
@@ -80,7 +80,7 @@ std::vector<IndexColour> linesOf(const Scene& scene, Counted counted) {
 
 IceLight iceLightOf(const Scene& scene) {
   const Spectrum spectrum(sunAtCloud(scene).spectrum);
-  if (spectrum.lines().empty() && std::holds_alternative<TabulatedIce>(scene.ice))
+  if (spectrum.lines().empty() && !isWithoutDispersion(scene.ice))
     return IceLight::continuous(indicesAtShares(spectrum, scene.ice));
   std::vector<IndexShare> lines;
   const std::vector<double> fixed = fixedIndices(scene.ice);
@@ -133,12 +133,15 @@ std::vector<double> IndexSampler::nodes() const {
   return {all.front(), 0.5 * (all.front() + all.back()), all.back()};
 }
 
-std::string objectionTo(const PopulationSettings& population, bool inProfile) {
+std::string objectionTo(const Scene& scene, const PopulationSettings& population, bool inProfile) {
   constexpr double kSixth = kPi / 3.0, kTurn = 2.0 * kPi;
   const auto* prism = std::get_if<PrismSettings>(&population.shape);
   if (!prism) return "has crystals that are no prisms";
-  if (prism->isHollow()) return "has hollow crystals";
+  if (!prism->isPlain()) return "has crystals with pits, caps or notches";
   if (!isHexagonal(*prism)) return "has crystals that are no regular prisms";
+  if (scene.ice.absorbs) return "absorbs light";
+  if (population.distortion > 0.0) return "has faces that are tilted by chance";
+  if (population.diffracts) return "spreads light by diffraction";
   if (std::holds_alternative<RandomOrientation>(population.orientation)) return {};
   if (inProfile) return "is not randomly oriented, and has another profile for each place of the sun";
   if (standingOf(population.orientation)) return {};

@@ -46,6 +46,6 @@ class IndexSampler {
 
 /// Why crystals of a population cannot be integrated, as a predicate: "has crystals that are no prisms"; empty if they
 /// can. `inProfile`: for a profile, which looks at random orientations only.
-std::string objectionTo(const PopulationSettings& population, bool inProfile);
+std::string objectionTo(const Scene& scene, const PopulationSettings& population, bool inProfile);
 
 }  // namespace parhelion

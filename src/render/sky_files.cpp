@@ -31,7 +31,8 @@ std::optional<OrderReport> writeSky(const Output& exr, Image& image, const Tally
   std::optional<MoreOrders> more;
   if (isAbsolute(scene) || !scene.hazes.empty())
     slab = withThreads(additions.threads, [&] { return SlabLight(scene, info.undeviatedFraction()); });
-  if (isAbsolute(scene)) more = moreOrders(loaded, info.rayCount(), *slab, additions.gains, additions.threads);
+  if (isAbsolute(scene))
+    more = moreOrders(loaded, info.rayCount(), *slab, additions.gains, additions.threads, additions.watch);
   if (air) {
     addAir(image, camera, info, scene, additions.threads, *slab, more ? &more->image : nullptr);
   } else if (slab) {
@@ -51,7 +52,8 @@ std::optional<OrderReport> writeSky(const Output& exr, Image& image, const Tally
   // Blender takes a channel with a dot in its name for the sign of several layers, which it lights nothing with.
   if (envmap == Envmap::latLong)
     std::erase_if(image.channels, [](const Channel& channel) { return channel.name.find('.') != std::string::npos; });
-  writeBeautyExr(exr, image, attributes, envmap);
+  writeBeautyExr(exr, image, attributes, envmap,
+                 gamut == Gamut::acescg ? kAcesCgChromaticities : kRec709Chromaticities);
   return more ? std::optional(more->report) : std::nullopt;
 }
 
@@ -89,7 +91,8 @@ void writePreview(const Output& png, const Preview& preview, double stops, const
 }
 
 WrittenSky writeSkyFiles(const SkyFiles& files, Image image, const TallyInfo& info, const LoadedScene& loaded) {
-  const auto orders = writeSky({files.exr, files.run}, image, info, loaded, files.gamut, {files.gains, files.threads});
+  const auto orders =
+      writeSky({files.exr, files.run}, image, info, loaded, files.gamut, {files.gains, files.threads, files.watch});
   const ToneSettings tone = previewTone(files.display, image, loaded.scene);
   const Preview preview = developPreview(image, tone);
   writePreview({files.png, files.run}, preview, tone.exposureStops, loaded.text);

@@ -24,6 +24,7 @@ ReconstructedSky developSky(const TracedSky& traced, const LoadedScene& loaded, 
 struct SkyAdditions {
   LayerGains gains;  // of light that is scattered more than once, as the picture's
   int threads = 0;   // for the air's light and that of further orders; 0: one a processor
+  WalkWatch watch = {};
 };
 
 /// Of a scene with a cloud or air turns the image of a tally with that info into cd/m^2, with air adds what is behind
@@ -61,6 +62,7 @@ struct SkyFiles {
   Transaction* run = nullptr;  // with whose other files they appear; none: each by itself
   int threads = 0;             // for the air's light and that of further orders; 0: one a processor
   LayerGains gains = {};       // of layers, as the picture's
+  WalkWatch watch = {};
 };
 
 /// What was written.

@@ -27,7 +27,7 @@ SlabLight::SlabLight(const Scene& scene, double undeviated)
       sunShadow_(extinction_.at(toSun_).shadow),
       ofHaze_(extinction_.at(toSun_).ofHaze),
       isLit_(!scene.cloud || toSun_.z > 0.0),
-      isAboveGround_(hidesCloudBelow(scene)),
+      sides_(crystalSides(scene)),
       fromSun_(scene.cloud ? stack_.layers().front().opticalDepth * (1.0 - undeviated * (1.0 - ofHaze_)) * sunShadow_ /
                                  std::max(toSun_.z, kLevelRise)
                            : 0.0) {
@@ -52,7 +52,7 @@ double SlabLight::luminanceAt(const Vec3& toSky) const {
 }
 
 double SlabLight::exactLuminanceAt(const Vec3& toSky) const {
-  if (!isLit_ || (isAboveGround_ && !(toSky.z > 0.0))) return 0.0;
+  if (!isLit_ || !sides_.has(toSky)) return 0.0;
   const double opticalDepth = stack_.layers().front().opticalDepth;
   const double rise = std::max(std::abs(toSky.z), kLevelRise);
   const double toObserver = extinction_.at(toSky).depth(opticalDepth) / rise;

@@ -5,6 +5,7 @@
 
 #include "picture/image.h"
 #include "render/by_elevation.h"
+#include "render/crystal_sides.h"
 #include "scene/scene.h"
 #include "sky/camera.h"
 #include "trace/slab_stack.h"
@@ -64,9 +65,9 @@ class SlabLight {
   Vec3 toSun_;
   double sunShadow_, ofHaze_;  // of crystals in sunlight, as Extinction has it
   bool isLit_;                 // whether the sun reaches it
-  bool isAboveGround_;         // hidesCloudBelow()
-  double fromSun_;             // depth that sunlight meets
-  ByElevation byElevation_;    // luminances; empty where azimuths matter
+  CrystalSides sides_;
+  double fromSun_;           // depth that sunlight meets
+  ByElevation byElevation_;  // luminances; empty where azimuths matter
   std::unique_ptr<const LayeredLight> layered_;
 };
 

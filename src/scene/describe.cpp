@@ -5,6 +5,7 @@
 
 #include "math/overloaded.h"
 #include "math/range.h"
+#include "optics/materials.h"
 #include "scene/scene_keys.h"
 #include "sky/camera_keys.h"
 
@@ -59,6 +60,8 @@ std::string listed(const std::vector<double>& numbers) {
 std::string wordsFor(const kinds::PlaneList&, const std::vector<FacePlane>& planes) {
   return std::to_string(planes.size());
 }
+std::string wordsFor(const kinds::Number&, double number) { return plain(number); }
+std::string wordsFor(const kinds::WholeNumber&, int number) { return plain(number); }
 std::string wordsFor(double aspect) { return plain(aspect); }
 std::string wordsFor(const AspectDistribution& aspect) { return describe(aspect, plain); }
 
@@ -91,7 +94,10 @@ class ShapeWords {
     add(name, plain(end.isUpper ? pyramid->upper : pyramid->lower) + (slope ? " at " + inDegrees(*slope) : ""));
   }
   void key(std::string_view name, const kinds::PyramidSlope&, const PopulationShape& shape, std::string_view) {
-    if (const auto* pyramid = std::get_if<PyramidSettings>(&shape)) add(name, inDegrees(pyramid->slope));
+    const auto tell = [&](const auto& own) {
+      if constexpr (requires { own.slope; }) add(name, inDegrees(own.slope));
+    };
+    std::visit(tell, shape);
   }
   void key(std::string_view name, const kinds::SideDistances&, const PopulationShape& shape, std::string_view) {
     const auto tell = [&](const auto& own) {
@@ -100,13 +106,19 @@ class ShapeWords {
     };
     std::visit(tell, shape);
   }
-  void key(std::string_view, const kinds::CavityTable& kind, const PopulationShape& shape, std::string_view) {
-    const auto* prism = std::get_if<PrismSettings>(&shape);
-    if (!prism || (kind.upper && kind.lower)) return;
-    const Cavity& cavity = kind.upper ? prism->upperCavity : prism->lowerCavity;
-    if (cavity.isThere())
-      text_ += std::string(kind.upper ? ", upper" : ", lower") + " pit " + plain(cavity.depth) + " deep, " +
-               plain(cavity.width) + " wide";
+  void key(std::string_view, const kinds::PrismEndTable<Cavity>& kind, const PopulationShape& shape, std::string_view) {
+    if (const PrismEnd* end = endOf(kind, shape); end && end->cavity.isThere())
+      text_ += std::string(kind.upper ? ", upper" : ", lower") + " pit " + plain(end->cavity.depth) + " deep, " +
+               plain(end->cavity.width) + " wide";
+  }
+  void key(std::string_view, const kinds::PrismEndTable<Cap>& kind, const PopulationShape& shape, std::string_view) {
+    if (const PrismEnd* end = endOf(kind, shape); end && end->cap.isThere())
+      text_ += std::string(kind.upper ? ", upper" : ", lower") + " cap " + plain(end->cap.width) + " wide, aspect " +
+               plain(end->cap.aspect);
+  }
+  void key(std::string_view, const kinds::NotchTable&, const PopulationShape& shape, std::string_view) {
+    if (const auto* prism = std::get_if<PrismSettings>(&shape); prism && prism->notch.isThere())
+      text_ += ", notches " + plain(prism->notch.depth) + " deep, " + plain(prism->notch.width) + " wide";
   }
   void key(std::string_view, const kinds::Mesh&, const PopulationShape& shape, std::string_view) {
     const auto* mesh = std::get_if<MeshSettings>(&shape);
@@ -117,6 +129,13 @@ class ShapeWords {
   const std::string& text() const { return text_; }
 
  private:
+  /// The end of a prism that a key tells of; none for keys of both.
+  static const PrismEnd* endOf(const auto& kind, const PopulationShape& shape) {
+    const auto* prism = std::get_if<PrismSettings>(&shape);
+    if (!prism || (kind.upper && kind.lower)) return nullptr;
+    return kind.upper ? &prism->upper : &prism->lower;
+  }
+
   void add(std::string_view name, const std::string& words) {
     // What is spread is told by itself.
     for (const ShapeSpread& spread : spreads_)
@@ -166,13 +185,27 @@ std::string describe(const SunSettings& sun) {
 }
 
 std::string describe(const IceSettings& ice) {
-  const auto list = [](const IceMixture& mixture) { return "indices " + listed(mixture.indices) + " in turn"; };
-  return std::visit(Overloaded{
-                        [](const TabulatedIce&) { return std::string("index of Warren & Brandt 2008"); },
-                        [](const ConstantIce& constant) { return std::string("index ").append(plain(constant.index)); },
-                        list,
-                    },
-                    ice);
+  const std::string index = std::visit(
+      Overloaded{
+          [](const PublishedIndex& own) { return "index of " + std::string(factsOf(own.material).source); },
+          [](const ConstantIndex& own) { return "index " + plain(own.index); },
+          [](const IndexMixture& own) { return "indices " + listed(own.indices) + " in turn"; },
+          [](const SellmeierIndex&) { return std::string("index by Sellmeier's formula"); },
+          [](const CauchyIndex&) { return std::string("index by Cauchy's formula"); },
+          [](const IndexTable& own) { return "index by a table of " + std::to_string(own.nodes.size()) + " rows"; },
+      },
+      ice.index);
+  if (!ice.absorbs) return index;
+  return index + ", absorbs" + (ice.k ? " by k = " + plain(*ice.k) : "");
+}
+
+/// ", 30 um across, diffracts": what is not ideal about crystals.
+std::string describeOptics(const PopulationSettings& population) {
+  std::string text;
+  if (population.size) text += ", " + describe(*population.size, plain) + " um across";
+  if (population.distortion > 0.0) text += ", distorted by " + inDegrees(population.distortion);
+  if (population.diffracts) text += ", diffracts";
+  return text;
 }
 
 /// "rectilinear toward azimuth 0°, elevation 20°, roll 0°; 60° horizontal, 600 x 400 pixels"
@@ -275,14 +308,16 @@ std::string describeScene(const Scene& scene) {
   std::string text = row("sun", describe(scene.sun)) + row("ice", describe(scene.ice));
   for (const PopulationSettings& p : scene.populations) {
     const std::string share = formatNumber(100.0 * p.weight / sum) + " % of the surface";
-    text += row("population", p.name + ": " + share + "; " + describe(p.shape) + "; " + describe(p.orientation));
+    text += row("population",
+                p.name + ": " + share + "; " + describe(p.shape) + describeOptics(p) + "; " + describe(p.orientation));
   }
   for (const HazeSettings& haze : scene.hazes)
     text += row("haze", haze.name + ": " + formatNumber(100.0 * haze.weight / sum) + " % of the surface; " +
                             describe(haze.phase));
   if (scene.cloud)
     text += row("cloud", "optical depth " + plain(scene.cloud->opticalDepth) + ", light scattered " +
-                             describeOrders(scene.cloud->orders));
+                             describeOrders(scene.cloud->orders) +
+                             (scene.cloud->altitude ? ", at " + plain(*scene.cloud->altitude) + " m" : ""));
   if (scene.cloud)
     for (const SlabLayer& layer : scene.cloud->layers) text += row("cloud layer", describe(layer));
   for (const LayerSettings& layer : scene.trace.paths.layers) text += row("layer", describe(layer));

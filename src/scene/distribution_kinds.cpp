@@ -186,6 +186,8 @@ bool readAspect(const Value& in, PyramidSettings& pyramid) {
   return true;
 }
 
+bool readAspect(const Value& in, RosetteSettings& rosette) { return Number{kAspectRange}.read(in, rosette.aspect); }
+
 Json writtenAspect(const AspectDistribution& aspect) {
   return written(aspect, [](double value) { return value; });
 }

@@ -18,7 +18,8 @@ struct HazeWords {
 };
 
 /// The words for what scatters light: the shapes of crystals, and haze.
-using PopulationShape = std::variant<PrismSettings, PyramidSettings, PlanesSettings, MeshSettings, HazeWords>;
+using PopulationShape =
+    std::variant<PrismSettings, PyramidSettings, PlanesSettings, MeshSettings, RosetteSettings, HazeWords>;
 
 /// What words make of the shape of a crystal.
 inline PopulationShape wordsOf(const ShapeSettings& shape) {

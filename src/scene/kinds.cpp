@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "math/overloaded.h"
 #include "optics/solar_position.h"
 #include "picture/image.h"
 #include "scene/parse_scene.h"
@@ -14,25 +13,9 @@ namespace parhelion::kinds {
 
 namespace {
 
-constexpr Range kIndexRange{1.0, 3.0, true};
-
-constexpr std::string_view kWarrenBrandt = "warren-brandt";
-
 std::optional<std::int64_t> integerIn(const toml::node* node, std::int64_t lo, std::int64_t hi) {
   const auto value = node ? node->value_exact<std::int64_t>() : std::nullopt;
   return value && *value >= lo && *value <= hi ? value : std::nullopt;
-}
-
-bool readMixture(const Value& in, const toml::array& list, IceSettings& out) {
-  IceMixture mixture;
-  for (const toml::node& element : list) {
-    const Value one{element, in.key, in.complaints};
-    const auto index = one.numberIn(kIndexRange);
-    if (!index) return one.mustBe(std::string("a list of numbers ").append(kIndexRange.text()) + " here");
-    mixture.indices.push_back(*index);
-  }
-  out = std::move(mixture);
-  return true;
 }
 
 }  // namespace
@@ -145,34 +128,6 @@ bool Resolution::read(const Value& in, std::array<int, 2>& out) const {
 Json Resolution::schema() const {
   const Json side = {{"type", "integer"}, {"minimum", 1}, {"maximum", kMaxImageSide}};
   return {{"type", "array"}, {"items", side}, {"minItems", 2}, {"maxItems", 2}};
-}
-
-bool IceIndex::read(const Value& in, IceSettings& out) const {
-  if (in.string() == kWarrenBrandt) {
-    out = TabulatedIce{};
-    return true;
-  }
-  if (const toml::array* list = in.node.as_array(); list && !list->empty()) return readMixture(in, *list, out);
-  const auto index = in.numberIn(kIndexRange);
-  if (!index)
-    return in.mustBe(std::string("\"warren-brandt\", a number ").append(kIndexRange.text()) + " or a list of such");
-  out = ConstantIce{*index};
-  return true;
-}
-
-Json IceIndex::schema() const {
-  const Json name = {{"enum", {kWarrenBrandt}}};
-  const Json list = {{"type", "array"}, {"minItems", 1}, {"items", numberSchema(kIndexRange)}};
-  return {{"anyOf", {name, numberSchema(kIndexRange), list}}};
-}
-
-Json IceIndex::write(const IceSettings& value) const {
-  return std::visit(Overloaded{
-                        [](const TabulatedIce&) { return Json(kWarrenBrandt); },
-                        [](const ConstantIce& ice) { return Json(ice.index); },
-                        [](const IceMixture& ice) { return Json(ice.indices); },
-                    },
-                    value);
 }
 
 }  // namespace parhelion::kinds

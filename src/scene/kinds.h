@@ -116,13 +116,6 @@ struct Spectrum {
   Json write(const SpectrumSettings& value) const;
 };
 
-/// The name of the table, or a constant index.
-struct IceIndex {
-  bool read(const Value& in, IceSettings& out) const;
-  Json schema() const;
-  Json write(const IceSettings& value) const;
-};
-
 /// A pattern of raypaths, or the name of a halo.
 struct Paths {
   bool read(const Value& in, PathPattern& out) const;

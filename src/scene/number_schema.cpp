@@ -12,4 +12,8 @@ Json numberSchema(const Range& range) {
   return schema;
 }
 
+Json listSchema(const Json& items, std::size_t least, std::size_t most) {
+  return {{"type", "array"}, {"items", items}, {"minItems", least}, {"maxItems", most}};
+}
+
 }  // namespace parhelion

@@ -12,4 +12,7 @@ using Json = nlohmann::ordered_json;
 /// The numbers of a range as draft-04 has it: {"type": "number", "minimum": …}.
 Json numberSchema(const Range& range);
 
+/// The schema of a list of `least` to `most` such items.
+Json listSchema(const Json& items, std::size_t least, std::size_t most);
+
 }  // namespace parhelion

@@ -13,8 +13,10 @@
 #include "crystal/symmetry.h"
 #include "picture/file_reason.h"
 #include "picture/limits.h"
+#include "scene/index_files.h"
 #include "scene/layer_checks.h"
 #include "scene/mesh_files.h"
+#include "scene/optics_checks.h"
 #include "scene/overrides.h"
 #include "scene/phase_files.h"
 #include "scene/scene_keys.h"
@@ -108,7 +110,7 @@ void checkWithoutAir(const toml::table& root, Complaints& complaints) {
                      "say air = true in [sky], or air = false to keep it for later");
   };
   for (const char* key : {"ozone", "aerosol", "ground"}) complain("sky", key);
-  complain("observer", "altitude");
+  for (const char* table : {"observer", "cloud"}) complain(table, "altitude");
 }
 
 Scene readScene(const toml::table& root, Complaints& complaints) {
@@ -122,6 +124,8 @@ Scene readScene(const toml::table& root, Complaints& complaints) {
   pointFromSun(root, scene, complaints);
   checkSymmetry(root, scene, complaints);
   checkAir(root, scene, complaints);
+  checkIndex(root, scene, complaints);
+  checkOptics(root, scene, complaints);
   checkConcave(root, scene, complaints);
   checkWithoutAir(root, complaints);
   checkCloudLayers(root, scene, complaints);
@@ -178,10 +182,11 @@ LoadedScene parseScene(std::string_view text, std::string_view fileName, std::sp
   toml::table root = parseToml(body, fileName, complaints);
   for (const SceneOverride& override : overrides) applyOverride(root, override, complaints);
   const std::filesystem::path folder = std::filesystem::path(fileName).parent_path();
-  const bool hasPhases = readPhaseFiles(root, folder, complaints), hasMeshes = readMeshFiles(root, folder, complaints);
+  const bool hasPhases = readPhaseFiles(root, folder, complaints), hasMeshes = readMeshFiles(root, folder, complaints),
+             hasIndex = readIndexFile(root, folder, complaints);
   const Scene scene = readScene(root, complaints);
   complaints.throwIfAny();
-  return {scene, overrides.empty() && !hasPhases && !hasMeshes ? std::string(text) : serialised(root)};
+  return {scene, overrides.empty() && !hasPhases && !hasMeshes && !hasIndex ? std::string(text) : serialised(root)};
 }
 
 }  // namespace parhelion

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <set>
 #include <stdexcept>
@@ -70,14 +71,33 @@ std::string oneOf(const PopulationShape& shape) {
   return "a " + std::string(nameOf(shape));
 }
 
+// What a crystal is made by. Of those that make none together, the first is said to be wrong.
+constexpr std::array<std::string_view, 16> kShapeKeys{
+    "cavity", "upper_cavity", "lower_cavity", "cap",   "upper_cap", "lower_cap", "notch",   "sides",
+    "planes", "mesh",         "upper",        "lower", "overlap",   "slope",     "bullets", "aspect"};
+
+/// Complains about shapes that enclose nothing, or are no closed surface.
+void checkCrystal(TableReader& reader, const PopulationKeys& keys) {
+  const auto crystal = crystalOf(keys.shape);
+  const auto* prism = std::get_if<PrismSettings>(&keys.shape);
+  const bool isCut = std::holds_alternative<RosetteSettings>(keys.shape) || (prism && !prism->isPlain()) ||
+                     reader.has("sides") || reader.has("planes") || (crystal && !spreadsOf(*crystal).empty());
+  if (!crystal || !isCut) return;
+  try {
+    static_cast<void>(meshOf(typicalShape(*crystal)));
+  } catch (const std::invalid_argument& error) {
+    for (const std::string_view key : kShapeKeys)
+      if (reader.has(key)) return reader.reject(key, error.what());
+  }
+}
+
 void checkShape(TableReader& reader, const PopulationKeys& keys) {
   if (reader.rejected("shape")) return;
   for (const std::string_view key : keysOfChosen(keys).others) {
     if (!reader.has(key)) continue;
     reader.reject(key, oneOf(keys.shape) + " has no '" + std::string(key) + "'", "it needs shape = " + shapesWith(key));
   }
-  for (const std::string_view key :
-       {"aspect", "sides", "upper", "lower", "slope", "planes", "mesh", "cavity", "upper_cavity", "lower_cavity"})
+  for (const std::string_view key : kShapeKeys)
     if (reader.rejected(key)) return;
   if (const auto* pyramid = std::get_if<PyramidSettings>(&keys.shape); pyramid && !checkLength(reader, *pyramid))
     return;
@@ -90,18 +110,7 @@ void checkShape(TableReader& reader, const PopulationKeys& keys) {
                          "planes = [{ normal = [0, 0, 1], distance = 1 }, …]");
   if (const auto* own = std::get_if<MeshSettings>(&keys.shape); own && !own->crystal)
     return reader.reject("shape", "a crystal of this shape needs a 'mesh'", "mesh = \"crystal.obj\"");
-  const auto crystal = crystalOf(keys.shape);
-  const auto* prism = std::get_if<PrismSettings>(&keys.shape);
-  const bool isCut = (prism && prism->isHollow()) || reader.has("sides") || reader.has("planes") ||
-                     (crystal && !spreadsOf(*crystal).empty());
-  if (!crystal || !isCut) return;
-  try {
-    static_cast<void>(meshOf(typicalShape(*crystal)));
-  } catch (const std::invalid_argument& error) {
-    for (const std::string_view key :
-         {"cavity", "upper_cavity", "lower_cavity", "sides", "planes", "upper", "lower", "slope", "aspect"})
-      if (reader.has(key)) return reader.reject(key, error.what());
-  }
+  checkCrystal(reader, keys);
 }
 
 /// Why an orientation has neither tilt nor roll of its own, and what to do about it; nothing where it has.
@@ -125,7 +134,7 @@ std::optional<NoSpread> noSpreadOf(const OrientationWords& orientation) {
 
 void checkOrientation(TableReader& reader, const PopulationKeys& keys) {
   if (std::holds_alternative<HazeWords>(keys.shape)) {
-    for (const std::string_view key : {"orientation", "tilt", "roll"})
+    for (const std::string_view key : {"orientation", "tilt", "roll", "size", "distortion", "diffraction"})
       if (reader.has(key)) reader.reject(key, "haze has no '" + std::string(key) + "'", "leave it out");
     return;
   }
@@ -154,7 +163,8 @@ std::string readPopulation(TableReader& reader, std::size_t index, Scene& scene)
                    scene.hazes.push_back({name, keys.weight, phaseOf(haze, keys.phase)});
                  },
                  [&](const auto& shape) {
-                   scene.populations.push_back({name, keys.weight, shape, orientationOf(keys)});
+                   scene.populations.push_back(
+                       {name, keys.weight, shape, orientationOf(keys), keys.size, keys.distortion, keys.diffraction});
                  },
              },
              keys.shape);

@@ -3,7 +3,8 @@
 
 // Every key of a scene file, said once: its name, the kind of its value, the setting it fills and what it means.
 // TableReader visits the keys to read a file, SchemaWriter to write the schema, with the settings' own defaults.
-// Those of the camera, which a tally's file has too, are in sky/camera_keys.h.
+// Those of the camera, which a tally's file has too, are in sky/camera_keys.h; those of tables about a crystal's faces
+// in scene/shape_keys.h.
 
 #include <optional>
 #include <string>
@@ -12,9 +13,10 @@
 
 #include "scene/camera_kinds.h"
 #include "scene/distribution_kinds.h"
+#include "scene/ice_keys.h"
 #include "scene/kinds.h"
 #include "scene/member_kinds.h"
-#include "scene/shape_kinds.h"
+#include "scene/shape_keys.h"
 #include "scene/table_kinds.h"
 
 namespace parhelion {
@@ -102,49 +104,6 @@ void visitKeys(Visitor& v, ObserverSettings& observer) {
   v.key("altitude", kinds::Number{{0, 50000}}, observer.altitude, "Of the observer, in the air, m above sea level.");
 }
 
-template <class Visitor>
-void visitKeys(Visitor& v, IceSettings& ice) {
-  v.key(
-      "index", kinds::IceIndex{}, ice,
-      "Refractive index of ice: \"warren-brandt\" (table of 2008) or a number, the same at every wavelength; of a list "
-      "of numbers rays take each in turn.");
-}
-
-template <class Visitor>
-void visitKeys(Visitor& v, PyramidEndKeys& end) {
-  v.key("height", kinds::Length{{0, 1}}, end.height, "Its height as a share of its full height.");
-  v.key("slope", kinds::Optional{kinds::Length{{0, 90, true, true}, true}}, end.slope,
-        "Angle between its faces and the c axis, degrees.");
-  v.key("miller", kinds::Optional{kinds::Miller{}}, end.miller,
-        "Miller indices [h, 0, -h, l] of its faces, in the place of a slope.");
-}
-
-template <class Visitor>
-void visitKeys(Visitor& v, TiedSideKeys& sides) {
-  constexpr Range kRange{-100, 100};
-  v.key("twofold", kinds::Optional{kinds::Length{kRange}}, sides.twofold, "Opposite sides are drawn as one.");
-  v.key("threefold", kinds::Optional{kinds::Length{kRange}}, sides.threefold,
-        "Sides 3, 5 and 7 are drawn as one, and 4, 6 and 8.");
-  v.key("sixfold", kinds::Optional{kinds::Length{kRange}}, sides.sixfold, "All sides are drawn as one.");
-}
-
-template <class Visitor>
-void visitKeys(Visitor& v, Cavity& cavity) {
-  v.key("depth", kinds::Number{{0, 2, false, true}}, cavity.depth,
-        "Of the pit, as a share of half the prism's length: those of both ends add up to less than 2.");
-  v.key("width", kinds::Number{{0, 1, true, true}}, cavity.width, "Of its rim, as a share of the prism's hexagon.");
-}
-
-template <class Visitor>
-void visitKeys(Visitor& v, PlaneKeys& plane) {
-  v.key("normal", kinds::Optional{kinds::Direction{}}, plane.normal,
-        "Direction that the face looks to, of any length: z along the c axis, x through the middle of a prism's face "
-        "3.");
-  v.key("distance", kinds::Number{{-1e6, 1e6}}, plane.distance, "Of the plane from the origin, in any unit.");
-  v.key("face", kinds::Optional{kinds::WholeNumber{1, 999}}, plane.face,
-        "Number of the face in raypaths; its place in the list when left out.");
-}
-
 /// A [[population]] as its keys say it; population_kind.cpp makes PopulationSettings of it.
 struct PopulationKeys {
   std::optional<std::string> name = std::nullopt;
@@ -154,6 +113,9 @@ struct PopulationKeys {
   OrientationWords orientation = OrientationName::random;
   std::optional<AngleDistribution> tilt = std::nullopt;  // about 0
   std::optional<AngleDistribution> roll = std::nullopt;  // about 0
+  std::optional<LengthDistribution> size = std::nullopt;
+  double distortion = PopulationSettings{}.distortion;
+  bool diffraction = PopulationSettings{}.diffracts;
 };
 
 template <class Visitor>
@@ -164,12 +126,12 @@ void visitKeys(Visitor& v, PopulationKeys& p) {
   v.key("shape", kinds::Choice<PopulationShape>{}, p.shape,
         "\"prism\": hexagonal prism, a plate or a column by its aspect; \"pyramid\": with pyramids on its ends; "
         "\"planes\": any convex crystal, by the planes of its faces; \"mesh\": a closed mesh from an OBJ file; "
+        "\"rosette\": hexagonal bullets that meet in a centre; "
         "\"haze\": irregular crystals, which scatter by a phase function.");
-  v.key(
-      "aspect", kinds::Aspect{}, p.shape,
-      "Length along the c axis over the distance between opposite vertices of the hexagon (of a pyramid: of its prism "
-      "part); or { normal = [mean, sigma] }, { uniform = [from, to] }, { laplace = [mean, scale] }, "
-      "{ lognormal = [median, sigma] }.");
+  v.key("aspect", kinds::Aspect{}, p.shape,
+        "Length along the c axis over the distance between opposite vertices of the hexagon (of a pyramid or a bullet: "
+        "of its prism part); or { normal = [mean, sigma] }, { uniform = [from, to] }, { laplace = [mean, scale] }, "
+        "{ lognormal = [median, sigma] }.");
   v.key(
       "sides", kinds::SideDistances{}, p.shape,
       "Prisms and pyramids: distances of faces 3 to 8 from the c axis, over those of a regular crystal: six numbers or "
@@ -182,13 +144,25 @@ void visitKeys(Visitor& v, PopulationKeys& p) {
   v.key("lower", kinds::PyramidEnd{false}, p.shape, "Pyramids: the same of the lower one.");
   v.key("slope", kinds::PyramidSlope{}, p.shape,
         "Pyramids: angle between their faces and the c axis, degrees, where an end has none of its own; a number or a "
-        "distribution.");
+        "distribution. Rosettes: the same of each bullet's pyramid, a number.");
   v.key("planes", kinds::MemberOf(kinds::PlaneList{}, &PlanesSettings::planes), p.shape,
         "Any convex crystal: the planes of its faces.");
-  v.key("cavity", kinds::CavityTable{true, true}, p.shape,
+  v.key("cavity", kinds::cavityTable(true, true), p.shape,
         "Prisms with a fixed aspect and regular sides: a hexagonal pit in both ends, { depth = 0.4, width = 0.8 }.");
-  v.key("upper_cavity", kinds::CavityTable{true, false}, p.shape, "The same of the upper end alone.");
-  v.key("lower_cavity", kinds::CavityTable{false, true}, p.shape, "The same of the lower end alone.");
+  v.key("upper_cavity", kinds::cavityTable(true, false), p.shape, "The same of the upper end alone.");
+  v.key("lower_cavity", kinds::cavityTable(false, true), p.shape, "The same of the lower end alone.");
+  v.key("cap", kinds::capTable(true, true), p.shape,
+        "Prisms with a fixed aspect and regular sides: a plate on both ends, { width = 3, aspect = 0.1 }.");
+  v.key("upper_cap", kinds::capTable(true, false), p.shape, "The same of the upper end alone.");
+  v.key("lower_cap", kinds::capTable(false, true), p.shape, "The same of the lower end alone.");
+  v.key("notch", kinds::NotchTable{}, p.shape,
+        "Prisms with a fixed aspect and regular sides: a notch in the middle of each side, as in sector plates, "
+        "{ depth = 0.6, width = 0.4 }.");
+  v.key("bullets", kinds::MemberOf(kinds::WholeNumber{1, RosetteSettings::kMostBullets}, &RosetteSettings::bullets),
+        p.shape, "Rosettes: how many bullets meet in the centre, as far from each other as they can.");
+  v.key("overlap", kinds::MemberOf(kinds::Number{{0, 1}}, &RosetteSettings::overlap), p.shape,
+        "Rosettes: how far each bullet reaches beyond the centre, as a share of the height of its pyramid. At 0 they "
+        "touch there in a point, which no light goes through.");
   v.key("mesh", kinds::Mesh{}, p.shape,
         "Meshes: an OBJ file beside the scene, of closed surfaces of any polygons; z is along the c axis. Polygons in "
         "one plane are one face, whose number may be the name of its group.");
@@ -210,6 +184,13 @@ void visitKeys(Visitor& v, PopulationKeys& p) {
       "roll", kinds::Optional{kinds::Spread{}}, p.roll,
       "Spread of the rotation about the c axis (lowitz: about its horizontal axis), degrees. Left out: none for parry, "
       "free for the others.");
+  v.key("size", kinds::Optional{kinds::Length{{kSmallestCrystal, kLargestCrystal}}}, p.size,
+        "The largest distance between two corners of a crystal, micrometres: a number or a distribution. For "
+        "'absorption' of [ice] and for 'diffraction'.");
+  v.key("distortion", kinds::Angle{{0, 30}}, p.distortion,
+        "Spread by which faces are tilted at each encounter, degrees (Macke, Mueller & Raschke 1996).");
+  v.key("diffraction", kinds::Flag{}, p.diffraction,
+        "Spread light that leaves by a face as Fraunhofer's pattern of the face does; needs 'size'.");
 }
 
 /// An orientation in full.
@@ -346,6 +327,7 @@ struct SlabKeys {
   std::optional<double> opticalDepth = std::nullopt;
   int orders = 1;
   std::vector<SlabLayer> layers;
+  std::optional<double> altitude = std::nullopt;
 };
 
 template <class Visitor>
@@ -356,6 +338,8 @@ void visitKeys(Visitor& v, SlabKeys& slab) {
         "How often light may be scattered: 1, 2 and so on, or \"all\" until it has left the cloud.");
   v.key("layer", kinds::SlabLayers{}, slab.layers,
         "Layers from top to bottom, each with its own populations and depth, in the place of one depth for all.");
+  v.key("altitude", kinds::Optional{kinds::Number{{0, 50000}}}, slab.altitude,
+        "Of the cloud, where there is air, m above sea level. Left out: crystals float around the observer.");
 }
 
 template <class Visitor>

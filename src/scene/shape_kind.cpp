@@ -20,27 +20,10 @@ constexpr Range kHeight{0.0, 1.0};
 constexpr Range kSlopeDegrees{0.0, 90.0, true, true};
 constexpr int kLargestMiller = 99;
 
-/// The numbers of a list of `count`, if it is one.
-std::optional<std::vector<double>> numbersIn(const Value& in, std::size_t count, const Range& range) {
-  const toml::array* list = in.node.as_array();
-  if (!list || list->size() != count) return std::nullopt;
-  std::vector<double> numbers;
-  for (const toml::node& element : *list) {
-    const auto number = Value{element, in.key, in.complaints}.numberIn(range);
-    if (!number) return std::nullopt;
-    numbers.push_back(*number);
-  }
-  return numbers;
-}
-
 /// Whether a table is a distribution by its only key.
 bool isDistribution(const toml::table& table) {
   return table.size() == 1 && (table.contains(Normal::kWords.name) || table.contains(UniformRange::kWords.name) ||
                                table.contains(Laplace::kWords.name) || table.contains(LogNormal::kWords.name));
-}
-
-Json listOf(const Json& items, std::size_t count) {
-  return {{"type", "array"}, {"items", items}, {"minItems", count}, {"maxItems", count}};
 }
 
 }  // namespace
@@ -122,11 +105,13 @@ bool SideDistances::read(const Value& in, PopulationShape& out) const {
 
 Json SideDistances::schema() const {
   const Json side = Length{kSide}.schema();
-  return {{"anyOf", {listOf(side, std::tuple_size_v<Sides>), side["anyOf"][1], tableSchema<TiedSideKeys>()}}};
+  return {{"anyOf",
+           {listSchema(side, std::tuple_size_v<Sides>, std::tuple_size_v<Sides>), side["anyOf"][1],
+            tableSchema<TiedSideKeys>()}}};
 }
 
 bool Miller::read(const Value& in, std::array<int, 2>& out) const {
-  const auto numbers = numbersIn(in, 4, {-kLargestMiller, kLargestMiller});
+  const auto numbers = in.numbersIn(4, 4, {-kLargestMiller, kLargestMiller});
   const auto isIndex = [](double x) { return x >= 1.0 && x == std::floor(x); };
   if (!numbers || !isIndex((*numbers)[0]) || (*numbers)[1] != 0.0 || (*numbers)[2] != -(*numbers)[0] ||
       !isIndex((*numbers)[3]))
@@ -136,7 +121,7 @@ bool Miller::read(const Value& in, std::array<int, 2>& out) const {
   return true;
 }
 
-Json Miller::schema() const { return listOf({{"type", "integer"}}, 4); }
+Json Miller::schema() const { return listSchema({{"type", "integer"}}, 4, 4); }
 
 bool PyramidEnd::read(const Value& in, PopulationShape& out) const {
   using What = ShapeLength;
@@ -171,6 +156,7 @@ Json PyramidEnd::schema() const {
 }
 
 bool PyramidSlope::read(const Value& in, PopulationShape& out) const {
+  if (auto* rosette = std::get_if<RosetteSettings>(&out)) return Angle{kSlopeDegrees}.read(in, rosette->slope);
   LengthDistribution slope;
   if (!Length{kSlopeDegrees, true}.read(in, slope)) return false;
   if (auto* pyramid = std::get_if<PyramidSettings>(&out)) setLength(*pyramid, {ShapeLength::slope, {}, slope});
@@ -179,18 +165,42 @@ bool PyramidSlope::read(const Value& in, PopulationShape& out) const {
 
 Json PyramidSlope::schema() const { return Length{kSlopeDegrees, true}.schema(); }
 
-bool CavityTable::read(const Value& in, PopulationShape& out) const {
+namespace {
+
+/// Reads a table of which a key must be there and all must be good.
+template <class Keys>
+bool readTable(const Value& in, std::string_view needed, std::string_view hint, Keys& keys) {
   const toml::table* table = in.node.as_table();
-  if (!table) return in.mustBe("a table", "a pit in the end of a prism: { depth = 0.4, width = 0.8 }");
-  Cavity cavity;
+  if (!table) return in.mustBe("a table", std::string(hint));
   TableReader reader(*table, std::string("the prism's '").append(in.key) + "'", in.complaints);
-  visitKeys(reader, cavity);
-  if (!reader.rejectUnknown() || reader.rejected("depth") || reader.rejected("width")) return false;
-  if (!reader.has("depth")) return in.reject("a pit needs a 'depth', its share of half the prism's length");
+  visitKeys(reader, keys);
+  bool good = reader.rejectUnknown();
+  for (const auto& [key, value] : *table) good &= !reader.rejected(key.str());
+  if (good && !reader.has(needed))
+    return in.reject(std::string("'").append(in.key) + "' needs a '" + std::string(needed) + "'", std::string(hint));
+  return good;
+}
+
+}  // namespace
+
+template <class Part>
+bool PrismEndTable<Part>::read(const Value& in, PopulationShape& out) const {
+  Part own;
+  if (!readTable(in, needed, hint, own)) return false;
   if (auto* prism = std::get_if<PrismSettings>(&out)) {
-    if (upper) prism->upperCavity = cavity;
-    if (lower) prism->lowerCavity = cavity;
+    if (upper) prism->upper.*part = own;
+    if (lower) prism->lower.*part = own;
   }
+  return true;
+}
+
+template struct PrismEndTable<Cavity>;
+template struct PrismEndTable<Cap>;
+
+bool NotchTable::read(const Value& in, PopulationShape& out) const {
+  Notch notch;
+  if (!readTable(in, "depth", "a notch in each side of a prism: { depth = 0.6, width = 0.4 }", notch)) return false;
+  if (auto* prism = std::get_if<PrismSettings>(&out)) prism->notch = notch;
   return true;
 }
 
@@ -212,7 +222,7 @@ bool Mesh::read(const Value& in, PopulationShape& out) const {
 }
 
 bool Direction::read(const Value& in, Vec3& out) const {
-  const auto numbers = numbersIn(in, 3, {-1e6, 1e6});
+  const auto numbers = in.numbersIn(3, 3, {-1e6, 1e6});
   const double length = numbers ? std::hypot((*numbers)[0], (*numbers)[1], (*numbers)[2]) : 0.0;
   if (!(length > 0.0))
     return in.mustBe("a direction [x, y, z], three numbers of which one at least is not 0",
@@ -221,7 +231,7 @@ bool Direction::read(const Value& in, Vec3& out) const {
   return true;
 }
 
-Json Direction::schema() const { return listOf({{"type", "number"}}, 3); }
+Json Direction::schema() const { return listSchema({{"type", "number"}}, 3, 3); }
 
 bool PlaneList::read(const Value& in, std::vector<FacePlane>& out) const {
   const toml::array* list = in.node.as_array();

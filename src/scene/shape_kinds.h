@@ -34,6 +34,12 @@ struct TiedSideKeys {
 
 namespace kinds {
 
+/// The schema of a table that must have a key.
+inline Json tableWith(Json table, std::string_view needed) {
+  table["required"] = {needed};
+  return table;
+}
+
 /// Distances of the six prism faces from the axis.
 struct SideDistances {
   bool read(const Value& in, PopulationShape& out) const;
@@ -61,20 +67,41 @@ struct PyramidEnd {
   bool isOf(const PopulationShape& chosen) const { return std::holds_alternative<PyramidSettings>(chosen); }
 };
 
-/// How steep both ends of a pyramid are, degrees.
+/// How steep both ends of a pyramid are, or the bullets of a rosette, degrees.
 struct PyramidSlope {
   bool read(const Value& in, PopulationShape& out) const;
   Json schema() const;
   Json write(const PopulationShape&) const { return roundToTwelveDigits(degrees(PyramidSettings{}.slope)); }
-  bool isOf(const PopulationShape& chosen) const { return std::holds_alternative<PyramidSettings>(chosen); }
+  bool isOf(const PopulationShape& chosen) const {
+    return std::holds_alternative<PyramidSettings>(chosen) || std::holds_alternative<RosetteSettings>(chosen);
+  }
 };
 
-/// A pit in one end of a prism or in both: a table.
-struct CavityTable {
+/// Something about one end of a prism or both, `Part` of PrismEnd: a table that must have the key `needed`.
+template <class Part>
+struct PrismEndTable {
+  Part PrismEnd::*part;
   bool upper, lower;
+  std::string_view needed, hint;
 
   bool read(const Value& in, PopulationShape& out) const;
-  Json schema() const { return tableSchema<Cavity>(); }
+  Json schema() const { return tableWith(tableSchema<Part>(), needed); }
+  Json write(const PopulationShape&) const { return {}; }
+  bool isOf(const PopulationShape& chosen) const { return std::holds_alternative<PrismSettings>(chosen); }
+};
+
+/// A pit, a cap.
+inline PrismEndTable<Cavity> cavityTable(bool upper, bool lower) {
+  return {&PrismEnd::cavity, upper, lower, "depth", "a pit in the end of a prism: { depth = 0.4, width = 0.8 }"};
+}
+inline PrismEndTable<Cap> capTable(bool upper, bool lower) {
+  return {&PrismEnd::cap, upper, lower, "width", "a plate on the end of a prism: { width = 3, aspect = 0.1 }"};
+}
+
+/// Notches in the sides of a prism: a table.
+struct NotchTable {
+  bool read(const Value& in, PopulationShape& out) const;
+  Json schema() const { return tableWith(tableSchema<Notch>(), "depth"); }
   Json write(const PopulationShape&) const { return {}; }
   bool isOf(const PopulationShape& chosen) const { return std::holds_alternative<PrismSettings>(chosen); }
 };

@@ -99,7 +99,7 @@ bool kinds::Slab::read(const Value& in, std::optional<SlabSettings>& out) const 
   SlabKeys keys;
   visitKeys(reader, keys);
   const bool isKnown = reader.rejectUnknown();
-  for (const char* key : {"optical_depth", "orders", "layer"})
+  for (const char* key : {"optical_depth", "orders", "layer", "altitude"})
     if (!isKnown || reader.rejected(key)) return false;
   if (keys.opticalDepth && !keys.layers.empty()) {
     reader.reject("optical_depth", "'optical_depth' cannot be used together with [[cloud.layer]]",
@@ -113,7 +113,7 @@ bool kinds::Slab::read(const Value& in, std::optional<SlabSettings>& out) const 
   }
   double sum = 0.0;
   for (const SlabLayer& layer : keys.layers) sum += layer.opticalDepth;
-  out = SlabSettings{keys.opticalDepth.value_or(sum), keys.orders, std::move(keys.layers)};
+  out = SlabSettings{keys.opticalDepth.value_or(sum), keys.orders, std::move(keys.layers), keys.altitude};
   return true;
 }
 

@@ -100,6 +100,41 @@ struct Orders {
   Json write(int orders) const { return orders; }
 };
 
+/// The refractive index: a material's name, numbers, or a table with the keys of IndexKeys (scene_keys.h).
+struct Index {
+  bool read(const Value& in, IndexSettings& out) const;
+  Json schema() const;
+  Json write(const IndexSettings& value) const;
+};
+
+/// Whether and by how much crystals absorb.
+struct Absorption {
+  bool read(const Value& in, IceSettings& out) const;
+  Json schema() const;
+  Json write(const IceSettings& value) const { return value.absorbs; }
+};
+
+/// Sellmeier's terms, a list of [strength, resonance].
+struct SellmeierTerms {
+  bool read(const Value& in, std::vector<SellmeierIndex::Term>& out) const;
+  Json schema() const;
+  Json write(const std::vector<SellmeierIndex::Term>&) const { return {}; }
+};
+
+/// Cauchy's coefficients.
+struct CauchyCoefficients {
+  bool read(const Value& in, std::vector<double>& out) const;
+  Json schema() const;
+  Json write(const std::vector<double>&) const { return {}; }
+};
+
+/// Measured indices, a list of [wavelength, n] or of [wavelength, n, k].
+struct IndexRows {
+  bool read(const Value& in, IndexTable& out) const;
+  Json schema() const;
+  Json write(const IndexTable&) const { return {}; }
+};
+
 /// A phase function as a list of pairs.
 struct Phase {
   bool read(const Value& in, PhaseTable& out) const;

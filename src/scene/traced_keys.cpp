@@ -9,7 +9,6 @@
 
 #include "math/checksum.h"
 #include "math/names.h"
-#include "math/overloaded.h"
 #include "sky/camera_text.h"
 
 namespace parhelion {
@@ -56,15 +55,15 @@ class KeyLister {
   }
 
   void ice(const IceSettings& settings) {
-    const std::string index = std::visit(Overloaded{[](const TabulatedIce&) { return std::string("warren-brandt"); },
-                                                    [](const ConstantIce& own) { return digitsOf(own.index); },
-                                                    [](const IceMixture& own) { return digitsOf(own.indices); }},
-                                         settings);
-    put("ice.index", index);
+    const auto& [own, absorbs, k] = settings;
+    std::visit([this](const auto& one) { put("ice.index", index(one)); }, own);
+    // What is off is not told, so that scenes keep their hash.
+    absorbs_ = absorbs;
+    if (absorbs) put("ice.absorption", k ? digitsOf(*k) : "true");
   }
 
   /// The air reddens the light that reaches the crystals.
-  void sky(const SkySettings& settings, const ObserverSettings& observer) {
+  void sky(const SkySettings& settings, const ObserverSettings& observer, const std::optional<SlabSettings>& cloud) {
     const auto& [air, ozone, aerosol, ground] = settings;
     static_cast<void>(ground);  // seen afterwards
     if (!air) return;
@@ -74,17 +73,23 @@ class KeyLister {
     put("sky.ozone", digitsOf(ozone));
     put("sky.aerosol", digitsOf(beta) + " " + digitsOf(alpha) + " " + digitsOf(height));
     const auto& [altitude] = observer;
-    put("observer.altitude", digitsOf(altitude));
+    if (cloud && cloud->altitude)
+      put("cloud.altitude", digitsOf(*cloud->altitude));
+    else
+      put("observer.altitude", digitsOf(altitude));
   }
 
   void population(std::size_t number, const PopulationSettings& settings) {
-    const auto& [name, weight, shape, orientation] = settings;
+    const auto& [name, weight, shape, orientation, size, distortion, diffracts] = settings;
     prefix_ = "population." + std::to_string(number) + ".";
     if (namesMatter) put("name", name);  // no ray knows it, but patterns of paths may
     put("weight", digitsOf(weight));
     put("shape", std::string(nameOf(shape)));
     std::visit([this](const auto& own) { crystal(own); }, shape);
     std::visit([this](const auto& own) { stance(own); }, orientation);
+    if (size && (absorbs_ || diffracts)) put("size", textOf(*size));
+    if (distortion > 0.0) put("distortion", digitsOf(distortion));
+    if (diffracts) put("diffraction", "true");
     prefix_.clear();
   }
 
@@ -130,6 +135,22 @@ class KeyLister {
  private:
   void put(const std::string& key, std::string value) { keys.push_back({prefix_ + key, std::move(value)}); }
 
+  static std::string index(const PublishedIndex& own) { return std::string(nameOf(own.material)); }
+  static std::string index(const ConstantIndex& own) { return digitsOf(own.index); }
+  static std::string index(const IndexMixture& own) { return digitsOf(own.indices); }
+  static std::string index(const SellmeierIndex& own) {
+    std::string text = "sellmeier " + digitsOf(own.constant);
+    for (const auto& [strength, resonance] : own.terms) text += " " + digitsOf(strength) + " " + digitsOf(resonance);
+    return text;
+  }
+  static std::string index(const CauchyIndex& own) { return "cauchy " + digitsOf(own.coefficients); }
+  static std::string index(const IndexTable& own) {
+    std::string text = "table";
+    for (const auto& [wavelength, n, k] : own.nodes)
+      text += " " + digitsOf(wavelength) + " " + digitsOf(n) + (own.hasK ? " " + digitsOf(k) : "");
+    return text;
+  }
+
   void light(const ContinuousSpectrum& own) { put("sun.spectrum", std::string(nameOf(own.source))); }
   void light(const MonochromaticSpectrum& own) { put("sun.spectrum", digitsOf(own.wavelength)); }
   void light(const BlackBody& own) { put("sun.spectrum", "blackbody " + digitsOf(own.temperature)); }
@@ -139,13 +160,18 @@ class KeyLister {
   }
 
   void crystal(const PrismSettings& own) {
-    const auto& [aspect, ownSides, ownSpreads, upperCavity, lowerCavity] = own;
+    const auto& [aspect, ownSides, ownSpreads, upper, lower, notch] = own;
     put("aspect", textOf(aspect));
     sides(ownSides);
     spreads(ownSpreads);
-    if (!own.isHollow()) return;  // so that scenes without pits keep their hash
-    put("upper.cavity", digitsOf({upperCavity.depth, upperCavity.width}));
-    put("lower.cavity", digitsOf({lowerCavity.depth, lowerCavity.width}));
+    // What is not there is not told, so that scenes keep their hash.
+    if (upper.cavity.isThere() || lower.cavity.isThere()) {
+      put("upper.cavity", digitsOf({upper.cavity.depth, upper.cavity.width}));
+      put("lower.cavity", digitsOf({lower.cavity.depth, lower.cavity.width}));
+    }
+    if (upper.cap.isThere()) put("upper.cap", digitsOf({upper.cap.width, upper.cap.aspect}));
+    if (lower.cap.isThere()) put("lower.cap", digitsOf({lower.cap.width, lower.cap.aspect}));
+    if (notch.isThere()) put("notch", digitsOf({notch.depth, notch.width}));
   }
   void crystal(const PyramidSettings& own) {
     const auto& [aspect, upper, lower, slope, upperSlope, lowerSlope, ownSides, ownSpreads] = own;
@@ -168,6 +194,14 @@ class KeyLister {
     Checksum content;
     content.add(own.obj);
     put("mesh", std::to_string(content.value()));
+  }
+
+  void crystal(const RosetteSettings& own) {
+    const auto& [bullets, aspect, slope, overlap] = own;
+    put("bullets", std::to_string(bullets));
+    put("aspect", digitsOf(aspect));
+    put("slope", digitsOf(slope));
+    put("overlap", digitsOf(overlap));
   }
 
   void spreads(const std::vector<ShapeSpread>& own) {
@@ -197,6 +231,7 @@ class KeyLister {
   }
 
   std::string prefix_;
+  bool absorbs_ = false;
 };
 
 KeyLister listed(const Scene& scene, const TraceSettings& trace) {
@@ -204,7 +239,7 @@ KeyLister listed(const Scene& scene, const TraceSettings& trace) {
   lister.namesMatter = trace.paths.filter || !trace.paths.layers.empty();
   lister.sun(scene.sun);
   lister.ice(scene.ice);
-  lister.sky(scene.sky, scene.observer);
+  lister.sky(scene.sky, scene.observer, scene.cloud);
   for (std::size_t i = 0; i < scene.populations.size(); ++i) lister.population(i, scene.populations[i]);
   lister.trace(trace);
   return lister;

@@ -32,7 +32,7 @@ std::string printable(std::string_view text, std::size_t maxLength);
 /// The byte where the code point of a UTF-8 text begins that byte `at` belongs to.
 std::size_t startOfCodePoint(std::string_view text, std::size_t at);
 
-/// `text` without the blanks at its ends.
-std::string_view trimmed(std::string_view text);
+/// `text` without the characters at its ends that are among `blanks`.
+std::string_view trimmed(std::string_view text, std::string_view blanks = " ");
 
 }  // namespace parhelion

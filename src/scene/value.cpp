@@ -47,4 +47,16 @@ std::optional<double> Value::numberIn(const Range& range) const {
   return number && range.contains(*number) ? number : std::nullopt;
 }
 
+std::optional<std::vector<double>> Value::numbersIn(std::size_t least, std::size_t most, const Range& range) const {
+  const toml::array* list = node.as_array();
+  if (!list || list->size() < least || list->size() > most) return std::nullopt;
+  std::vector<double> numbers;
+  for (const toml::node& element : *list) {
+    const auto number = Value{element, key, complaints}.numberIn(range);
+    if (!number) return std::nullopt;
+    numbers.push_back(*number);
+  }
+  return numbers;
+}
+
 }  // namespace parhelion

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "math/range.h"
 #include "scene/complaints.h"
@@ -28,6 +29,9 @@ struct Value {
 
   /// The number in the range, an integer or not; nothing (and no complaint) for anything else.
   std::optional<double> numberIn(const Range& range) const;
+
+  /// The numbers of a list, likewise, if it is one of `least` to `most` numbers in the range.
+  std::optional<std::vector<double>> numbersIn(std::size_t least, std::size_t most, const Range& range) const;
 
   std::optional<std::string> string() const { return node.value_exact<std::string>(); }
   bool isNumber() const { return node.is_number(); }

@@ -71,10 +71,17 @@ Cloud::Cloud(const SunSettings& sun, const IceSettings& ice, std::span<const Pop
       populations_(populations.begin(), populations.end()),
       favours_(std::move(favours)) {
   if (favours_.empty()) favours_.assign(populations_.size(), 1.0);
+  for (const PopulationSettings& own : populations) {
+    optics_.push_back(crystalOptics(ice.absorbs && own.size, own.diffracts && own.size, own.distortion));
+    sizes_.emplace_back();
+    if (own.size) sizes_.back().emplace(*own.size, LengthLimits{kSmallestCrystal, kLargestCrystal});
+  }
   std::optional<EmbreeDevice> embree;
   for (const Population& population : populations_) {
     faces_.emplace_back(population.mesh());
     concave_.emplace_back();
+    spans_.emplace_back();
+    if (sizes_[spans_.size() - 1]) spans_.back().emplace(population.mesh());
     if (population.mesh().isConvex()) continue;
     if (!embree) embree.emplace();
     concave_.back() = std::make_unique<ConcaveCrystal>(*embree, population.mesh());
@@ -136,6 +143,24 @@ IncidenceTable Cloud::incidence(int population, Sampler sampler) const {
           bound,
           sampler == Sampler::random && !populations_[population].isSpread(),
           lightPerRay_.empty() ? 1.0 : lightPerRay_[population]};
+}
+
+void Cloud::putOptics(int population, const std::optional<CrystalSpan>& span, std::uint64_t seed,
+                      RayQueue& queue) const {
+  const std::size_t rays = static_cast<std::size_t>(queue.room) * static_cast<std::size_t>(queue.members);
+  for (RayQueue::Row* row : {&queue.absorption, &queue.wave, &queue.absorbed}) row->resize(rays);
+  const std::optional<LengthSampler>& size = sizes_[population];
+  for (int place = 0; size && span && place < queue.count; ++place) {
+    constexpr double kNanometres = 1e3;  // in a micrometre
+    const auto words = randomWords(seed, RandomPurpose::size, 0, queue.bundle[place]);
+    const double nmPerUnit = kNanometres * size->at(toUnitInterval(words.first)) / span->at(queue.stretch[place]);
+    for (int member = 0; member < queue.members; ++member) {
+      const int ray = queue.ray(member, place);
+      const double wavelength = queue.light[ray].wavelength;
+      queue.absorption[ray] = 4.0 * kPi * imaginaryIndex(ice_, wavelength) / wavelength * nmPerUnit;
+      queue.wave[ray] = wavelength / nmPerUnit;
+    }
+  }
 }
 
 int Cloud::bundlesPerShape() const { return std::max(32, kRaysPerShape / bundleSize()); }

@@ -8,12 +8,15 @@
 #include <vector>
 
 #include "crystal/population.h"
+#include "crystal/span.h"
 #include "math/names.h"
 #include "optics/ice.h"
 #include "optics/spectrum.h"
 #include "optics/sun.h"
 #include "trace/concave_crystal.h"
+#include "trace/crystal_optics.h"
 #include "trace/incidence.h"
+#include "trace/ray_queue.h"
 #include "trace/trace_settings.h"
 
 namespace parhelion {
@@ -35,6 +38,15 @@ class Cloud {
 
   /// The crystal of a population for lanes; of one whose shapes are spread it is a typical one, which no ray meets.
   const FaceTable& faces(int population) const { return faces_[population]; }
+
+  /// What is not ideal about a population's crystals.
+  const CrystalOptics& optics(int population) const { return optics_[population]; }
+
+  /// The size of a population's crystal, where its shape is not spread and its size is known.
+  const std::optional<CrystalSpan>& span(int population) const { return spans_[population]; }
+
+  /// Puts what crystals that are not ideal do to each ray into a queue of a population whose crystal is so large.
+  void putOptics(int population, const std::optional<CrystalSpan>& span, std::uint64_t seed, RayQueue& queue) const;
 
   /// A population's crystal where it is not convex; null for convex ones.
   const ConcaveCrystal* concave(int population) const { return concave_[population].get(); }
@@ -79,6 +91,9 @@ class Cloud {
   std::vector<Population> populations_;
   std::vector<FaceTable> faces_;
   std::vector<std::unique_ptr<const ConcaveCrystal>> concave_;  // by population
+  std::vector<CrystalOptics> optics_;                           // likewise
+  std::vector<std::optional<LengthSampler>> sizes_;             // um
+  std::vector<std::optional<CrystalSpan>> spans_;
   bool hasSpreadShapes_ = false;
   std::array<Pilot, kNamesOf<Sampler>.size()> pilot_;        // by Sampler
   std::vector<double> favours_, lightPerRay_, lightShares_;  // by population

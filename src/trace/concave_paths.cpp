@@ -50,9 +50,9 @@ class ExitFilm {
 
 }  // namespace
 
-ConcavePaths::Counts ConcavePaths::follow(const ConcaveCrystal& crystal, const PathPlan& plan, int population,
-                                          std::uint64_t seed, PathRule rule, int members, RayQueue& queue,
-                                          ExitList& exits, EnergyUnits& energy) {
+ConcavePaths::Counts ConcavePaths::follow(const ConcaveCrystal& crystal, const CrystalOptics& optics,
+                                          const PathPlan& plan, int population, std::uint64_t seed, PathRule rule,
+                                          int members, RayQueue& queue, ExitList& exits, EnergyUnits& energy) {
   Counts counts;
   ExitFilm film(plan, population, exits, energy);
   for (int member = 0; member < members; ++member)
@@ -62,12 +62,19 @@ ConcavePaths::Counts ConcavePaths::follow(const ConcaveCrystal& crystal, const P
       };
       film.ray = queue.ray(member, place);
       const double weight = queue.weight[place];
-      ConcaveWalk walk(crystal, queue.iceIndex[film.ray], weight * rule.splitShare,
-                       pathRandom<double>(seed, queue.bundle[place]), film, waiting_);
+      const bool isIdeal = optics.isIdeal();
+      const RayOptics own{queue.iceIndex[film.ray], optics, isIdeal ? 0.0 : queue.absorption[film.ray],
+                          isIdeal ? 0.0 : queue.wave[film.ray]};
+      ConcaveWalk walk(crystal, own, weight * rule.splitShare, pathRandom<double>(seed, queue.bundle[place]), film,
+                       waiting_);
       walk.run({static_cast<int>(queue.face[place]), at(queue.point)}, at(queue.lightCrystal), weight, PathMark{});
       queue.internalPath[film.ray] = walk.internalPath;
       queue.lost[film.ray] = walk.lost;
       queue.cutOff[film.ray] = walk.cutOff;
+      if (!isIdeal) {
+        queue.absorbed[film.ray] = walk.absorbed;
+        counts.absorbed.add(walk.absorbed);
+      }
       energy.lost += std::llrint(walk.lost * energy.perLight);
       counts.hits += static_cast<std::uint64_t>(walk.hits);
       counts.rescued += static_cast<std::uint64_t>(walk.rescued);

@@ -22,11 +22,12 @@ class ConcavePaths {
  public:
   struct Counts {
     std::uint64_t hits = 0, rescued = 0;
+    ExactSum absorbed;
   };
 
   /// Fills in the exits of all rays in a queue, and what became of each ray; adds up the energy of both.
-  Counts follow(const ConcaveCrystal& crystal, const PathPlan& plan, int population, std::uint64_t seed, PathRule rule,
-                int members, RayQueue& queue, ExitList& exits, EnergyUnits& energy);
+  Counts follow(const ConcaveCrystal& crystal, const CrystalOptics& optics, const PathPlan& plan, int population,
+                std::uint64_t seed, PathRule rule, int members, RayQueue& queue, ExitList& exits, EnergyUnits& energy);
 
  private:
   std::vector<ConcaveStep<PathMark>> waiting_;

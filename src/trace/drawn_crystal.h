@@ -5,6 +5,7 @@
 
 #include "crystal/face_table.h"
 #include "crystal/population.h"
+#include "crystal/span.h"
 
 namespace parhelion {
 
@@ -12,11 +13,12 @@ namespace parhelion {
 /// sequence that fills the distributions evenly, so that few of them already stand for all.
 struct DrawnCrystal {
   DrawnCrystal(const Population& population, std::uint64_t seed, std::uint64_t number)
-      : block(number), mesh(population.crystalOfBlock(seed, number).second), faces(mesh) {}
+      : block(number), mesh(population.crystalOfBlock(seed, number).second), faces(mesh), span(mesh) {}
 
   std::uint64_t block;
   CrystalMesh mesh;
   FaceTable faces;
+  CrystalSpan span;
 };
 
 }  // namespace parhelion

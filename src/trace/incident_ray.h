@@ -5,6 +5,7 @@
 
 #include "crystal/crystal.h"
 #include "optics/spectrum.h"
+#include "trace/crystal_optics.h"
 
 namespace parhelion {
 
@@ -22,6 +23,9 @@ struct IncidentRay {
   SpectralSample light;
   double iceIndex = 1.31;  // refractive index at this wavelength
   double weight = 1.0;     // intercepted light this ray stands for; nearly always 1
+  CrystalOptics optics{};
+  double absorption = 0.0;  // per crystal unit, where the crystal absorbs
+  double wave = 0.0;        // the wavelength, crystal units, where it diffracts
 };
 
 }  // namespace parhelion

@@ -15,10 +15,14 @@ const LaneSteps PARHELION_LANE_STEPS(PARHELION_LANES) = {
     .lanes = kLanes,
     .draw = draw,
     .propose = propose,
-    .enter = {enter<PathRecord::nothing>, enter<PathRecord::state>, enter<PathRecord::sequence>},
+    .enter = {{enter<PathRecord::nothing, false>, enter<PathRecord::state, false>, enter<PathRecord::sequence, false>},
+              {enter<PathRecord::nothing, true>, enter<PathRecord::state, true>, enter<PathRecord::sequence, true>}},
     .findFaces = findFaces,
     .measureFaces = measureFaces,
-    .meetFaces = {meetFaces<PathRecord::nothing>, meetFaces<PathRecord::state>, meetFaces<PathRecord::sequence>},
+    .meetFaces = {{meetFaces<PathRecord::nothing, false>, meetFaces<PathRecord::state, false>,
+                   meetFaces<PathRecord::sequence, false>},
+                  {meetFaces<PathRecord::nothing, true>, meetFaces<PathRecord::state, true>,
+                   meetFaces<PathRecord::sequence, true>}},
     .turnToWorld = turnToWorld,
     .see = see};
 

@@ -4,6 +4,7 @@
 // Part of lane_code.cpp, and of nothing else.
 
 #include "trace/branch.h"
+#include "trace/crystal_optics.h"
 #include "trace/face_hit.h"
 #include "trace/lane_types.h"
 
@@ -90,9 +91,35 @@ PARHELION_INLINE void leave(const Triple<Real>& direction, const Real& energy, c
   exits.count += leaving.count();
 }
 
-template <PathRecord kRecord>
-void enter(const FaceTable& faces, const PathTable& paths, std::uint64_t seed, PathRule rule, int member,
-           RayQueue& queue, ExitList& exits, EnergyUnits& energy) {
+/// Direction of light that leaves by a face, where faces spread it.
+PARHELION_INLINE Triple<Real> spread(const FaceTable& faces, const CrystalOptics& optics, const Real& face,
+                                     const Real& stretch, const Real& wave, const Triple<Real>& lightDir,
+                                     PathRandom<Real>& random) {
+  Triple<Real> one = lookUpTriple(faces.sideOne, face), other = lookUpTriple(faces.sideOther, face);
+  const Real grows = select(normalOf(faces, face).z == 0.0, stretch, all<Real>(1.0));
+  one.z *= grows;
+  other.z *= grows;
+  const Real u1 = random.next(), u2 = random.next();
+  return diffracted(lightDir, one, other, wave, optics, u1, u2);
+}
+
+/// branch(), of faces that may be tilted by chance.
+template <bool kReal>
+PARHELION_INLINE Branches<Real, Triple<Real>> branchAt(const CrystalOptics& optics, const Triple<Real>& lightDir,
+                                                       const Triple<Real>& towardLight, const Real& cosTheta_i,
+                                                       const RelativeIndexOf<Real>& index, const Real& energy,
+                                                       const Real& splitAbove, PathRandom<Real>& random) {
+  const Real u = random.next();
+  if (kReal && optics.distortion > 0.0) {
+    const Real u1 = random.next(), u2 = random.next();
+    return branchAtTilted(lightDir, towardLight, cosTheta_i, index, energy, splitAbove, u, optics, u1, u2);
+  }
+  return branch(lightDir, towardLight, cosTheta_i, index, energy, splitAbove, u);
+}
+
+template <PathRecord kRecord, bool kReal>
+void enter(const FaceTable& faces, const CrystalOptics& optics, const PathTable& paths, std::uint64_t seed,
+           PathRule rule, int member, RayQueue& queue, ExitList& exits, EnergyUnits& energy) {
   UnitSum out(energy.perLight);
   for (int i = 0; i < queue.count; i += kLanes) {
     const int ray = queue.ray(member, i);
@@ -103,7 +130,10 @@ void enter(const FaceTable& faces, const PathTable& paths, std::uint64_t seed, P
     const Real cosTheta_i = higher(-dot(normal, light), Real{});
     const RelativeIndexOf<Real> index(load<Real>(&queue.iceIndex[ray]));
     auto random = pathRandom<Real>(seed, load<Words>(&queue.bundle[i]));
-    const auto b = branch(light, normal, cosTheta_i, index, weight, weight * rule.splitShare, random.next());
+    auto b = branchAt<kReal>(optics, light, normal, cosTheta_i, index, weight, weight * rule.splitShare, random);
+    if (kReal && optics.diffracts)
+      b.reflectedDir = spread(faces, optics, face, load<Real>(&queue.stretch[i]), load<Real>(&queue.wave[ray]),
+                              b.reflectedDir, random);
 
     store(&queue.energy[ray], b.transmitted);
     storeTriple(queue.inside, ray, renormalised(b.transmittedDir));
@@ -143,14 +173,21 @@ void measureFaces(const FaceTable& faces, RayPool& pool) {
 }
 
 /// One encounter of the rays from place i on; returns those whose path ends here.
-template <PathRecord kRecord>
-PARHELION_INLINE Mask meetFace(const FaceTable& faces, const PathTable& paths, int i, RayPool& pool, ExitList& exits,
-                               UnitSum& out) {
+template <PathRecord kRecord, bool kReal>
+PARHELION_INLINE Mask meetFace(const FaceTable& faces, const CrystalOptics& optics, const PathTable& paths, int i,
+                               RayPool& pool, ExitList& exits, UnitSum& out) {
   const Triple<Real> light = loadTriple(pool.lightDir, i);
   const Real face = higher(load<Real>(&pool.nextFace[i]), Real{}), cosine = load<Real>(&pool.cosine[i]);
-  const Real distance = load<Real>(&pool.distance[i]), energy = load<Real>(&pool.energy[i]);
+  const Real distance = load<Real>(&pool.distance[i]);
+  Real energy = load<Real>(&pool.energy[i]), pathInside = energy * distance;
+  if (kReal && optics.absorbs) {
+    const auto on = attenuated(energy, load<Real>(&pool.absorption[i]), distance);
+    store(&pool.absorbed[i], load<Real>(&pool.absorbed[i]) + on.taken);
+    energy = on.left;
+    pathInside = on.path;
+  }
   const Real order = load<Real>(&pool.order[i]) + 1.0;
-  store(&pool.internalPath[i], load<Real>(&pool.internalPath[i]) + energy * distance);
+  store(&pool.internalPath[i], load<Real>(&pool.internalPath[i]) + pathInside);
   storeTriple(pool.point, i, loadTriple(pool.point, i) + distance * light);
   store(&pool.face[i], face);
   store(&pool.order[i], order);
@@ -158,8 +195,11 @@ PARHELION_INLINE Mask meetFace(const FaceTable& faces, const PathTable& paths, i
   PathRandom<Real> random{load<Words>(&pool.random0[i]), load<Words>(&pool.random1[i])};
   const auto index = RelativeIndexOf<Real>::outOf(load<Real>(&pool.iceIndex[i]), load<Real>(&pool.perIceIndex[i]));
   // The light comes from inside, where the normal does not point.
-  const auto b =
-      branch(light, -normalOf(faces, face), cosine, index, energy, load<Real>(&pool.splitAbove[i]), random.next());
+  auto b = branchAt<kReal>(optics, light, -normalOf(faces, face), cosine, index, energy,
+                           load<Real>(&pool.splitAbove[i]), random);
+  if (kReal && optics.diffracts)
+    b.transmittedDir =
+        spread(faces, optics, face, load<Real>(&pool.stretch[i]), load<Real>(&pool.wave[i]), b.transmittedDir, random);
   store(&pool.random0[i], random.state0);
   store(&pool.random1[i], random.state1);
 
@@ -189,13 +229,15 @@ PARHELION_INLINE void loseLight(int i, RayPool& pool, UnitSum& lost, EnergyUnits
   energy.lostPaths += __builtin_popcount(bitsOf(none));
 }
 
-template <PathRecord kRecord>
-void meetFaces(const FaceTable& faces, const PathTable& paths, RayPool& pool, ExitList& exits, EnergyUnits& energy) {
+template <PathRecord kRecord, bool kReal>
+void meetFaces(const FaceTable& faces, const CrystalOptics& optics, const PathTable& paths, RayPool& pool,
+               ExitList& exits, EnergyUnits& energy) {
   UnitSum out(energy.perLight), lost(energy.perLight);
   pool.endedCount = 0;
   for (int i = 0; i < pool.active; i += kLanes) {
     loseLight(i, pool, lost, energy);
-    const Compress<Real> ended(meetFace<kRecord>(faces, paths, i, pool, exits, out) & below(i, pool.active));
+    const Compress<Real> ended(meetFace<kRecord, kReal>(faces, optics, paths, i, pool, exits, out) &
+                               below(i, pool.active));
     ended.store(&pool.ended[pool.endedCount], counting() + static_cast<double>(i));
     pool.endedCount += ended.count();
   }

@@ -7,6 +7,7 @@
 
 #include "math/exact_sum.h"
 #include "math/random.h"
+#include "trace/crystal_optics.h"
 #include "trace/exit_list.h"
 #include "trace/incidence.h"
 #include "trace/path_record.h"
@@ -46,6 +47,16 @@ struct SeenLight {
   AlignedVector<double> mirroredPixel;  // of the mirror image; where that is asked for, one of the two may be kNowhere
 };
 
+/// Steps by what is kept of paths, of ideal crystals and of others.
+template <class Step>
+struct ByPath {
+  std::array<Step, kPathRecords> ideal, real;
+
+  Step of(PathRecord record, const CrystalOptics& optics) const {
+    return (optics.isIdeal() ? ideal : real)[static_cast<std::size_t>(record)];
+  }
+};
+
 /// The steps that are taken by many rays at a time, compiled once for each set of vector registers.
 struct LaneSteps {
   int lanes;  // doubles side by side
@@ -61,10 +72,11 @@ struct LaneSteps {
 
   // How it gets through them: lane_paths.h.
 
-  /// The outside of the entry faces for all rays of a member of the bundles; by PathRecord.
-  using Enter = void (*)(const FaceTable& faces, const PathTable& paths, std::uint64_t seed, PathRule rule, int member,
-                         RayQueue& queue, ExitList& exits, EnergyUnits& energy);
-  std::array<Enter, kPathRecords> enter;
+  /// The outside of the entry faces for all rays of a member of the bundles.
+  using Enter = void (*)(const FaceTable& faces, const CrystalOptics& optics, const PathTable& paths,
+                         std::uint64_t seed, PathRule rule, int member, RayQueue& queue, ExitList& exits,
+                         EnergyUnits& energy);
+  ByPath<Enter> enter;
 
   /// The next face of each ray in the pool, by planes.
   void (*findFaces)(const SlabTable& slabs, RayPool& pool);
@@ -72,10 +84,10 @@ struct LaneSteps {
   /// How far it is to the faces that are named as next; takes the name back where the ray does not run toward its face.
   void (*measureFaces)(const FaceTable& faces, RayPool& pool);
 
-  /// What the faces found make of the light; by PathRecord.
-  using MeetFaces = void (*)(const FaceTable& faces, const PathTable& paths, RayPool& pool, ExitList& exits,
-                             EnergyUnits& energy);
-  std::array<MeetFaces, kPathRecords> meetFaces;
+  /// What the faces found make of the light.
+  using MeetFaces = void (*)(const FaceTable& faces, const CrystalOptics& optics, const PathTable& paths, RayPool& pool,
+                             ExitList& exits, EnergyUnits& energy);
+  ByPath<MeetFaces> meetFaces;
 
   // What becomes of the light that leaves: lane_exits.h.
 

@@ -6,6 +6,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "crystal/span.h"
 #include "math/random.h"
 #include "trace/branch.h"
 #include "trace/concave_walk.h"
@@ -44,7 +45,7 @@ class Walk {
   void enter() {
     const Vec3& lightDir = ray_.lightDirCrystal;
     const double cosTheta_i = std::max(0.0, -glm::dot(normal(), lightDir));
-    const auto branches = branch(lightDir, normal(), cosTheta_i, into_, energy_, splitAbove_, random_.next());
+    const auto branches = branchAt(lightDir, normal(), cosTheta_i, into_);
     lightDir_ = renormalised(branches.transmittedDir);
     energy_ = branches.transmitted;
     leave(branches.reflectedDir, branches.reflected);
@@ -58,20 +59,53 @@ class Walk {
       return;
     }
     path_.rescued += hit->rescued;
-    path_.internalPath += energy_ * hit->distance;
+    goOn(hit->distance);
     point_ += hit->distance * lightDir_;
     face_ = hit->face;
     ++order_;
 
     // The light comes from inside, where the normal does not point.
-    const auto branches = branch(lightDir_, -normal(), hit->cosine, outOf_, energy_, splitAbove_, random_.next());
+    const auto branches = branchAt(lightDir_, -normal(), hit->cosine, outOf_);
     lightDir_ = renormalised(branches.reflectedDir);
     energy_ = branches.reflected;
     leave(branches.transmittedDir, branches.transmitted);
   }
 
+  /// The way to the next face.
+  void goOn(double distance) {
+    if (!ray_.optics.absorbs) {
+      path_.internalPath += energy_ * distance;
+      return;
+    }
+    const auto on = attenuated(energy_, ray_.absorption, distance);
+    path_.internalPath += on.path;
+    path_.absorbed += on.taken;
+    energy_ = on.left;
+  }
+
+  Branches<double, Vec3> branchAt(const Vec3& lightDir, const Vec3& towardLight, double cosTheta_i,
+                                  const RelativeIndex& index) {
+    const double u = random_.next();
+    if (!(ray_.optics.distortion > 0.0))
+      return branch(lightDir, towardLight, cosTheta_i, index, energy_, splitAbove_, u);
+    const double u1 = random_.next(), u2 = random_.next();
+    return branchAtTilted(lightDir, towardLight, cosTheta_i, index, energy_, splitAbove_, u, ray_.optics, u1, u2);
+  }
+
+  /// Direction of light that leaves, where faces spread it.
+  Vec3 spread(const Vec3& lightDir) {
+    if (!ray_.optics.diffracts) return lightDir;
+    FaceRectangle sides = rectangleOf(*ray_.crystal.mesh, face_);
+    const double grows = normal().z == 0.0 ? ray_.crystal.stretch : 1.0;
+    sides.one.z *= grows;
+    sides.other.z *= grows;
+    const double u1 = random_.next(), u2 = random_.next();
+    return diffracted(lightDir, sides.one, sides.other, ray_.wave, ray_.optics, u1, u2);
+  }
+
   /// Counts the encounter and what leaves the crystal in it.
-  void leave(const Vec3& leavingDir, double energy) {
+  void leave(const Vec3& ideal, double energy) {
+    const Vec3 leavingDir = spread(ideal);
     ++path_.hits;
     if (path_.recordEncounters)
       path_.encounters.push_back(
@@ -129,12 +163,14 @@ void followConcave(const ConcaveCrystal& crystal, const TraceSettings& settings,
   const IncidentRay& ray = path.incident;
   PathFilm film(path);
   std::vector<ConcaveStep<int>> waiting;
-  ConcaveWalk walk(crystal, ray.iceIndex, ray.weight * pathRule(settings.path).splitShare,
-                   pathRandom<double>(settings.seed, ray.bundle), film, waiting);
+  ConcaveWalk walk(crystal, {ray.iceIndex, ray.optics, ray.absorption, ray.wave},
+                   ray.weight * pathRule(settings.path).splitShare, pathRandom<double>(settings.seed, ray.bundle), film,
+                   waiting);
   walk.run(ray.entry, ray.lightDirCrystal, ray.weight, -1);
   path.internalPath = walk.internalPath;
   path.cutOff = walk.cutOff;
   path.lost = walk.lost;
+  path.absorbed = walk.absorbed;
   path.hits = walk.hits;
   path.rescued = walk.rescued;
 }
@@ -144,7 +180,7 @@ void followConcave(const ConcaveCrystal& crystal, const TraceSettings& settings,
 void followLight(const Intersector& engine, const TraceSettings& settings, LightPath& path) {
   path.exits.clear();
   path.encounters.clear();
-  path.internalPath = path.cutOff = path.lost = 0.0;
+  path.internalPath = path.cutOff = path.lost = path.absorbed = 0.0;
   path.hits = path.rescued = 0;
   if (const auto* concave = std::get_if<ConcaveIntersector>(&engine))
     return followConcave(*concave->crystal, settings, path);

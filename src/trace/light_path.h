@@ -39,13 +39,14 @@ struct LightPath {
   double internalPath = 0.0;  // energy-weighted length inside the crystal, crystal units
   double cutOff = 0.0;        // energy still inside when the walk was given up
   double lost = 0.0;          // energy of paths that found no next face
+  double absorbed = 0.0;      // energy that the crystal has taken
   int hits = 0;               // ray-face encounters, the entry included
   int rescued = 0;            // encounters the engine missed and the planes decided
 };
 
 /// Follows `path.incident` through its crystal until all its light has left, and fills in the rest of `path`; a pure
 /// function of its arguments. `engine` is that of the ray's crystal. The ray's weight equals the exits' energy plus
-/// cutOff plus lost, to rounding.
+/// cutOff plus lost plus absorbed, to rounding.
 void followLight(const Intersector& engine, const TraceSettings& settings, LightPath& path);
 
 /// Draws ray `index` and follows it: one ray of what Wave does to many, with the same bits where the engine is the

@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "math/portable.h"
+#include "trace/flight_places.h"
 
 namespace parhelion {
 
@@ -44,9 +45,10 @@ double mostIntercepted(const FaceTable& faces, const AngleQuantile* stretch) {
 // A population whose shapes are spread is so many of one shape each.
 constexpr int kShapes = 32;
 
-}  // namespace
+/// What is left of light along a way, 1 at its start: the mean over the way.
+double meanLeft(double depth) { return depth < 1e-9 ? 1.0 : takenOver(depth) / depth; }
 
-double takenOver(double depth) { return depth < 1e-5 ? depth - 0.5 * depth * depth : 1.0 - portable::exp(-depth); }
+}  // namespace
 
 ManyOrders::ManyOrders(SlabContents contents, int orders, const SlabStack& stack, Engine engine)
     : sun_(contents.sun),
@@ -95,13 +97,12 @@ const ManyOrders::Kind& ManyOrders::kindAt(std::size_t layer, double u) const {
   return found == kinds.end() ? kinds.back() : *found;
 }
 
-double ManyOrders::depthFrom(const SlabPlace& place, const Vec3& direction) const {
-  const bool goesDown = direction.z < 0.0;
-  double depth = layers_[place.layer].depth.along(direction) * (goesDown ? 1.0 - place.down : place.down);
-  if (layers_.size() == 1) return depth;
+SlabCrossing ManyOrders::crossing(std::size_t layer, const Vec3& direction) const {
+  SlabCrossing all{layers_[layer].depth.along(direction), 0.0, direction.z < 0.0};
+  if (layers_.size() == 1) return all;
   for (std::size_t other = 0; other < layers_.size(); ++other)
-    if (goesDown ? other > place.layer : other < place.layer) depth += layers_[other].depth.along(direction);
-  return depth;
+    if (all.goesDown ? other > layer : other < layer) all.beyond += layers_[other].depth.along(direction);
+  return all;
 }
 
 SlabPlace ManyOrders::onward(SlabPlace place, const Vec3& direction, double share) const {
@@ -122,6 +123,21 @@ SlabPlace ManyOrders::onward(SlabPlace place, const Vec3& direction, double shar
     left -= reach;
     place = goesDown ? SlabPlace{place.layer + 1, 0.0} : SlabPlace{place.layer - 1, 1.0};
   }
+}
+
+SlabWay ManyOrders::wayTo(const SlabPlace& place, const SlabPlace& start, const Vec3& direction) const {
+  const bool goesDown = direction.z < 0.0;
+  SlabWay way{place.layer, goesDown ? 0.0 : 1.0, goesDown ? 1.0 : 0.0, 0.0, 1.0};
+  if (start.layer == place.layer) way.from = start.down;
+  way.depth = layers_[way.layer].depth.along(direction) * std::abs(way.to - way.from);
+  way.meanLeft = meanLeft(way.depth);
+  return way;
+}
+
+double ManyOrders::meanOut(const SlabWay& way, const SlabCrossing& out) const {
+  // Depths grow evenly along the way, toward the place and from it, so that the mean is an integral of exp.
+  const double atStart = out.depthFrom(way.from), atEnd = out.depthFrom(way.to) + way.depth;
+  return portable::exp(-std::min(atStart, atEnd)) * meanLeft(std::abs(atEnd - atStart)) / way.meanLeft;
 }
 
 Vec3 ManyOrders::sunlight(double u1, double u2) const {

@@ -32,6 +32,23 @@ struct SlabPlace {
   double down = 0.0;
 };
 
+/// A way through one layer of a slab, of this optical depth, somewhere on which light is scattered.
+struct SlabWay {
+  std::size_t layer = 0;
+  double from = 0.0, to = 1.0;  // how far down
+  double depth = 0.0;
+  double meanLeft = 1.0;  // what the way leaves of light, 1 at its start: the mean over the way
+};
+
+/// What light meets that goes a direction from somewhere in a layer: of the whole layer, and of those behind it.
+struct SlabCrossing {
+  double layer, beyond;
+  bool goesDown;
+
+  /// From so far down in the layer to where the light leaves the slab.
+  double depthFrom(double down) const { return beyond + layer * (goesDown ? 1.0 - down : down); }
+};
+
 /// Sunlight in a slab of crystals, and how it is scattered there by one crystal after the other: what walks are drawn
 /// from. Immutable; safe to use from many threads.
 class ManyOrders {
@@ -51,10 +68,21 @@ class ManyOrders {
   const Kind& kindAt(std::size_t layer, double u) const;
 
   /// Optical depth from a place to where light leaves the slab; SlabDepth says of which light.
-  double depthFrom(const SlabPlace& place, const Vec3& direction) const;
+  double depthFrom(const SlabPlace& place, const Vec3& direction) const {
+    return crossing(place.layer, direction).depthFrom(place.down);
+  }
 
   /// Where light is that has gone through that share of depthFrom().
   SlabPlace onward(SlabPlace place, const Vec3& direction, double share) const;
+
+  /// The part of a flight from `start` that lies in the layer of `place`.
+  SlabWay wayTo(const SlabPlace& place, const SlabPlace& start, const Vec3& direction) const;
+
+  /// Share of light scattered into a direction that leaves the slab without being scattered again, as the mean over all
+  /// places of the way where it may have been scattered, in proportion to what is scattered at each.
+  double meanOut(const SlabWay& way, const SlabCrossing& out) const;
+
+  SlabCrossing crossing(std::size_t layer, const Vec3& direction) const;
 
   /// A direction of sunlight, for two numbers in (0, 1).
   Vec3 sunlight(double u1, double u2) const;
@@ -100,8 +128,5 @@ class ManyOrders {
   double scattered_;
   CrystalMesh someMesh_;
 };
-
-/// The share of 1 that a way of some optical depth takes, 1 - exp(-depth), without losing digits of small ones.
-double takenOver(double depth);
 
 }  // namespace parhelion

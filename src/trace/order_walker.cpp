@@ -7,6 +7,7 @@
 #include "crystal/entry.h"
 #include "math/portable.h"
 #include "math/rotation.h"
+#include "trace/flight_places.h"
 
 namespace parhelion {
 
@@ -14,13 +15,14 @@ namespace {
 
 // Walks followed at a time: enough for full lanes, and few enough for the second-level cache.
 constexpr std::size_t kWalks = 512;
-// A walk that weighs less than this, of the light that is scattered at all, ends by chance.
+// A walk that weighs less than this, of the light that is scattered at all, ends by chance; near the slab's faces,
+// where there are more walks for the same light, of less.
 constexpr double kLeastShare = 0.1;
 // Crystals after which a walk is given up, and bits for their number.
 constexpr int kStepBits = 14, kMostSteps = (1 << kStepBits) - 2;
 // Directions that haze scatters to at a time.
 constexpr int kHazeExits = 4;
-// Light that leaves the slab along the horizon: the sine of the elevation is never taken for less.
+// The least sine of an elevation at which light leaves the slab: what is lower is as bright.
 constexpr double kLevel = 1e-3;
 // Blocks of random numbers for what happens behind a crystal; those below are for drawing it.
 constexpr std::uint32_t kBehind = 1U << 24;
@@ -105,7 +107,7 @@ void OrderWalker::follow(std::uint64_t first, std::uint64_t count) {
 void OrderWalker::begin(std::uint64_t number) {
   WalkNumbers numbers(seed_, bundleOf(number, 0), 0);
   const double u1 = numbers.next(), u2 = numbers.next();
-  Walk walk{number, slab_.light(numbers.next()), 0.0, slab_.sunlight(u1, u2), Vec3(0.0), {}, 0.0};
+  Walk walk{number, slab_.light(numbers.next()), 0.0, slab_.sunlight(u1, u2), Vec3(0.0), {}, {}, 0.0};
   const FixedLight units = toFixedLight(walk.light.xyz, perWhite_);
   light_.light.addUnits(walk.light.light == walk.light.xyz.y ? units.y : toFixed(walk.light.light));
   light_.xyz[0].addUnits(units.x);
@@ -127,9 +129,18 @@ void OrderWalker::begin(std::uint64_t number) {
 /// To the next crystal, somewhere between here and where the slab ends after `depth`.
 void OrderWalker::goOn(Walk& walk, const Vec3& direction, double depth, double u) {
   walk.direction = direction;
-  const double taken = takenOver(depth);
-  const double share = depth < 1e-5 ? u : std::min(1.0, -portable::log(1.0 - u * taken) / depth);
-  walk.place = slab_.onward(walk.place, direction, share);
+  const SlabPlace start = walk.place;
+  const bool goesDown = direction.z < 0.0;
+  const FlightPlaces places(
+      depth, slab_.depthFrom(start, -direction),
+      {goesDown ? deposits_.fromBelow : deposits_.fromAbove, goesDown ? deposits_.fromAbove : deposits_.fromBelow});
+  const double there = places.at(u);
+  walk.place = slab_.onward(start, direction, there / depth);
+  walk.way = slab_.wayTo(walk.place, start, direction);
+  const double before = std::max(0.0, depth - slab_.depthFrom({walk.way.layer, walk.way.from}, direction));
+  walk.inLayer = places.weight(before, std::min(depth, before + walk.way.depth));
+  walk.atPlace = places.weightAt(there);
+  if (places.isGuided()) walk.importance = std::min(1.0, walk.atPlace);
 }
 
 void OrderWalker::drawCrystal(std::size_t index) {
@@ -194,6 +205,9 @@ void OrderWalker::scatterByCrystals(int population) {
   Group& group = crystals_[static_cast<std::size_t>(population)];
   if (group.walks.empty()) return;
   putLight(group);
+  const Cloud& cloud = *slab_.cloud();
+  const bool isIdeal = cloud.optics(population).isIdeal();
+  if (!isIdeal) cloud.putOptics(population, cloud.span(population), seed_, group.queue);
   ExitList& exits = wave_->exitsOf(group.queue, population);
   exits.layer.resize(static_cast<std::size_t>(exits.count));
   byBundle_.sort(group.queue, exits.ray, exits.count);
@@ -206,7 +220,7 @@ void OrderWalker::scatterByCrystals(int population) {
         ways_.push_back({exit, exits.energy[static_cast<std::size_t>(exit)], 0.0, 0.0});
     }
     WalkNumbers numbers(seed_, bundleOf(walk.number, walk.step), kBehind);
-    settle(walk, exits, numbers);
+    settle(walk, exits, isIdeal ? 0.0 : group.queue.absorbed[place], numbers);
   }
   film_.add({group.queue, exits, 1, population,
              slab_.cloud()->populations()[static_cast<std::size_t>(population)].mesh(), steps_});
@@ -238,27 +252,34 @@ void OrderWalker::scatterByHaze(int haze) {
       exits.undeviated[exit] = exits.order[exit] = 0.0;
       ways_.push_back({exits.count++, 1.0 / kHazeExits, 0.0, 0.0});
     }
-    settle(walk, exits, numbers);
+    settle(walk, exits, 0.0, numbers);
   }
   film_.add({group.queue, exits, 1, 0, slab_.someMesh(), steps_});
 }
 
-/// What becomes of a walk's light behind a crystal.
-void OrderWalker::settle(Walk& walk, ExitList& exits, WalkNumbers& numbers) {
+/// What becomes of a walk's light behind a crystal, which has absorbed a share of it.
+void OrderWalker::settle(Walk& walk, ExitList& exits, double absorbed, WalkNumbers& numbers) {
   double deviated = 0.0;
   for (Way& way : ways_) {
-    way.on = takenOver(slab_.depthFrom(walk.place, exits.lightDir(way.exit)));
+    const SlabCrossing crossing = slab_.crossing(walk.place.layer, exits.lightDir(way.exit));
+    way.on = takenOver(crossing.depthFrom(walk.place.down));
     way.out = 1.0 - way.on;
     deviated += way.energy;
-    deposit(walk, exits, way);
+    deposit(walk, exits, way, crossing);
   }
-  if (numbers.next() < deviated) scatter(walk, exits, deviated, numbers);
+  const double u = numbers.next();
+  if (u < deviated) {
+    scatter(walk, exits, deviated, numbers);
+  } else if (u < deviated + absorbed) {
+    ledger_.absorbed.add(walk.weight);
+    walk.ended = true;
+  }
   if (walk.ended || walk.step < kMostSteps) return;
   ledger_.cutOff.add(walk.weight);
   walk.ended = true;
 }
 
-void OrderWalker::deposit(const Walk& walk, ExitList& exits, const Way& way) {
+void OrderWalker::deposit(const Walk& walk, ExitList& exits, const Way& way, const SlabCrossing& crossing) {
   const auto exit = static_cast<std::size_t>(way.exit);
   const Vec3 direction = exits.lightDir(way.exit);
   const int order = walk.order + 1;
@@ -267,7 +288,15 @@ void OrderWalker::deposit(const Walk& walk, ExitList& exits, const Way& way) {
     exits.undeviated[exit] = 1.0;
     return;
   }
-  exits.energy[exit] = deposits_.scale * walk.weight * way.energy * way.out / std::max(kLevel, std::abs(direction.z));
+  double sine = std::abs(direction.z), out = 0.0;
+  if (sine >= kLevel) {
+    out = slab_.meanOut(walk.way, crossing);
+  } else {
+    sine = kLevel;
+    const Vec3 seen(direction.x, direction.y, std::copysign(kLevel, direction.z));
+    out = slab_.meanOut(walk.way, slab_.crossing(walk.place.layer, seen));
+  }
+  exits.energy[exit] = deposits_.scale * walk.weight * walk.inLayer * way.energy * out / sine;
   if (deposits_.layerOf) exits.layer[exit] = deposits_.layerOf(order);
 }
 
@@ -276,7 +305,9 @@ void OrderWalker::scatter(Walk& walk, const ExitList& exits, double deviated, Wa
   ++walk.order;
   double on = 0.0;
   for (Way& way : ways_) on += way.energy * way.on;
-  const double rest = walk.weight * on / deviated, least = std::min(least_, walk.weight);
+  const double here = walk.weight * walk.atPlace;
+  ledger_.drawn.add(walk.weight - here);
+  const double rest = here * on / deviated, least = std::min(least_ * walk.importance, here);
   double next = 0.0;  // what the walk weighs from here on
   if (walk.order >= slab_.orders())
     ledger_.leftOut.add(rest);
@@ -284,7 +315,7 @@ void OrderWalker::scatter(Walk& walk, const ExitList& exits, double deviated, Wa
     next = rest;
   else if (numbers.next() * least < rest)
     next = least;
-  const double out = walk.weight - (walk.order >= slab_.orders() ? rest : next);
+  const double out = here - (walk.order >= slab_.orders() ? rest : next);
   countOut(walk, exits, out);
   walk.weight = next;
   walk.ended = !(next > 0.0);

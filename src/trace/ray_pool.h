@@ -35,6 +35,9 @@ struct RayPool {
   // What the engine found: the next face, or kNoFace; how far it is; the cosine of the ray's direction and its normal.
   alignas(64) Numbers nextFace, distance, cosine;
 
+  // Of crystals that are not ideal, as in the queue.
+  alignas(64) Numbers absorption, wave, absorbed;
+
   alignas(64) Numbers lost;  // energy of a ray for which no face was found, else 0
 
   // The places whose rays have ended, to be given to others.
@@ -49,6 +52,11 @@ struct RayPool {
          {&energy, &face, &order, &internalPath, &ray, &stretch, &iceIndex, &perIceIndex, &splitAbove, &lost})
       (*row)[to] = (*row)[from];
     for (Row<std::uint64_t>* row : {&random0, &random1}) (*row)[to] = (*row)[from];
+  }
+
+  /// Moves what rays in crystals have that are not ideal, too.
+  void moveOptics(int from, int to) {
+    for (Numbers* row : {&absorption, &wave, &absorbed}) (*row)[to] = (*row)[from];
   }
 
   /// Moves what is kept of its path, too.

@@ -63,6 +63,11 @@ struct RayQueue {
   Row inside[3], energy;
   Row internalPath;  // energy-weighted length inside the crystal, crystal units
   Row lost, cutOff;  // energy
+
+  // Of crystals that are not ideal (CrystalOptics), of each ray: filled by Cloud::putOptics().
+  Row absorption;  // per crystal unit
+  Row wave;        // the wavelength, crystal units
+  Row absorbed;    // energy
 };
 
 }  // namespace parhelion

@@ -54,6 +54,9 @@ void RaySource::draw(std::uint64_t first, int count) {
   places_.clear();
   if (!cloud_.hasFixedLight())
     for (RayQueue& queue : queues_) setLight(queue);
+  for (int p = 0; p < static_cast<int>(queues_.size()); ++p)
+    if (!cloud_.optics(p).isIdeal())
+      cloud_.putOptics(p, drawn_[p] ? drawn_[p]->span : cloud_.span(p), seed_, queues_[p]);
 }
 
 void RaySource::drawCrystals(std::uint64_t block) {
@@ -165,6 +168,7 @@ IncidentRay RaySource::ray(std::uint64_t index) {
     return Vec3(rows[0][place], rows[1][place], rows[2][place]);
   };
   const int ray = q.ray(static_cast<int>(index % cloud_.bundleSize()), place);
+  const bool isIdeal = cloud_.optics(population).isIdeal();
   return {index,
           bundle,
           population,
@@ -176,7 +180,10 @@ IncidentRay RaySource::ray(std::uint64_t index) {
           q.shadow[place],
           q.light[ray],
           q.iceIndex[ray],
-          q.weight[place]};
+          q.weight[place],
+          cloud_.optics(population),
+          isIdeal ? 0.0 : q.absorption[ray],
+          isIdeal ? 0.0 : q.wave[ray]};
 }
 
 }  // namespace parhelion

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,9 @@ struct SlabSettings {
 
   /// From top to bottom; none: one of all populations.
   std::vector<SlabLayer> layers = {};
+
+  /// m above sea level, for the air below and above it; none: the crystals float around the observer.
+  std::optional<double> altitude = std::nullopt;
 };
 
 }  // namespace parhelion

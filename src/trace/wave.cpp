@@ -85,15 +85,17 @@ void Wave::follow(RayQueue& queue, int population, int members) {
     return followConcave(*concave, queue, population, members);
   const FaceTable& faces = source_.faces(population);
   const PathTable paths = paths_.table(population);
-  const auto enter = steps_.enter[static_cast<std::size_t>(paths_.record())];
-  const auto meetFaces = steps_.meetFaces[static_cast<std::size_t>(paths_.record())];
+  const CrystalOptics& optics = cloud_.optics(population);
+  isIdeal_ = optics.isIdeal();
+  const auto enter = steps_.enter.of(paths_.record(), optics);
+  const auto meetFaces = steps_.meetFaces.of(paths_.record(), optics);
   exits_.count = 0;
   // Places not taken are worked on, too, and another population's automaton may have more states.
   pool_->pathState.fill(PathAutomaton::kStart);
   energy_ = {.perLight = perLight_[population]};
   for (int member = 0; member < members; ++member) {
     exits_.reserve(queue.count + RayQueue::kSpare);
-    enter(faces, paths, seed_, rule_, member, queue, exits_, energy_);
+    enter(faces, optics, paths, seed_, rule_, member, queue, exits_, energy_);
   }
   counts_.hits += static_cast<std::uint64_t>(members) * queue.count;
 
@@ -102,7 +104,7 @@ void Wave::follow(RayQueue& queue, int population, int members) {
   while (pool_->active > 0) {
     exits_.reserve(RayPool::kRoom + RayQueue::kSpare);
     findFaces(population);
-    meetFaces(faces, paths, *pool_, exits_, energy_);
+    meetFaces(faces, optics, paths, *pool_, exits_, energy_);
     counts_.hits += pool_->active;
     refill(queue, population, members);
   }
@@ -112,13 +114,14 @@ void Wave::follow(RayQueue& queue, int population, int members) {
 void Wave::followConcave(const ConcaveCrystal& crystal, RayQueue& queue, int population, int members) {
   exits_.count = 0;
   energy_ = {.perLight = perLight_[population]};
-  const ConcavePaths::Counts counts =
-      concavePaths_.follow(crystal, paths_, population, seed_, rule_, members, queue, exits_, energy_);
+  const ConcavePaths::Counts counts = concavePaths_.follow(crystal, cloud_.optics(population), paths_, population,
+                                                           seed_, rule_, members, queue, exits_, energy_);
   counts_.hits += counts.hits;
   counts_.rescued += counts.rescued;
   for (int member = 0; member < members; ++member)
     for (int place = 0; place < queue.count; ++place)
       if (const double cutOff = queue.cutOff[queue.ray(member, place)]; cutOff > 0.0) counts_.energy.cutOff.add(cutOff);
+  counts_.energy.absorbed.merge(counts.absorbed);
   finish(queue, population, members);
 }
 
@@ -151,6 +154,7 @@ bool Wave::putNext(RayQueue& queue, int population, int members, int place) {
     while (nextPlace_ < queue.count) {
       const int from = nextPlace_++, ray = queue.ray(nextMember_, from);
       queue.internalPath[ray] = queue.lost[ray] = queue.cutOff[ray] = 0.0;
+      if (!isIdeal_) queue.absorbed[ray] = 0.0;
       if (queue.energy[ray] <= 0.0) continue;
       RayPool& pool = *pool_;
       for (int k = 0; k < 3; ++k) {
@@ -167,6 +171,11 @@ bool Wave::putNext(RayQueue& queue, int population, int members, int place) {
       pool.iceIndex[place] = queue.iceIndex[ray];
       pool.perIceIndex[place] = 1.0 / queue.iceIndex[ray];
       pool.splitAbove[place] = queue.weight[from] * rule_.splitShare;
+      if (!isIdeal_) {
+        pool.absorption[place] = queue.absorption[ray];
+        pool.wave[place] = queue.wave[ray];
+        pool.absorbed[place] = 0.0;
+      }
       if (paths_.record() != PathRecord::nothing) beginPath(population, place);
       return true;
     }
@@ -194,6 +203,7 @@ void Wave::refill(RayQueue& queue, int population, int members) {
     if (place == last) continue;
     pool_->move(last, place);
     if (paths_.record() != PathRecord::nothing) pool_->movePath(last, place);
+    if (!isIdeal_) pool_->moveOptics(last, place);
     pool_->energy[last] = 0.0;
   }
 }
@@ -203,6 +213,10 @@ void Wave::settle(RayQueue& queue, int place) {
   const int ray = static_cast<int>(pool_->ray[place]);
   queue.internalPath[ray] = pool_->internalPath[place];
   queue.lost[ray] = pool_->lost[place];
+  if (!isIdeal_) {
+    queue.absorbed[ray] = pool_->absorbed[place];
+    counts_.energy.absorbed.add(queue.absorbed[ray]);
+  }
   const double left = std::exchange(pool_->energy[place], 0.0);
   queue.cutOff[ray] = left;
   if (left > 0.0) counts_.energy.cutOff.add(left);

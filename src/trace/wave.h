@@ -93,6 +93,7 @@ class Wave {
   std::unique_ptr<RayPool> pool_;
   ConcavePaths concavePaths_;
   int nextMember_ = 0, nextPlace_ = 0;  // of the rays in the queue
+  bool isIdeal_ = true;                 // whether the crystals are that are being followed
   ExitList exits_;
   EnergyUnits energy_;
   std::vector<std::uint64_t> allowed_;  // by place in the queue: PathPlan::layersFor()

@@ -30,7 +30,7 @@ inline OrientationSettings parryOrientation() { return AxisOrientation{FixedValu
 
 /// Crystals under a point sun at `sunElevation` (rad), in light of one wavelength.
 inline Cloud cloudUnderPointSun(double sunElevation, const std::vector<PopulationSettings>& populations,
-                                const IceSettings& ice = ConstantIce{kIndex}, double wavelength = 550.0) {
+                                const IceSettings& ice = ConstantIndex{kIndex}, double wavelength = 550.0) {
   return Cloud({sunElevation, 0.0, MonochromaticSpectrum{wavelength}, false}, ice, populations);
 }
 

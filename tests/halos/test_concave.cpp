@@ -37,14 +37,26 @@ MeshSettings asTriangles(const CrystalMesh& mesh) {
 
 PrismSettings hollow(double aspect, double depth, double width) {
   PrismSettings prism{FixedValue{aspect}};
-  prism.upperCavity = prism.lowerCavity = {depth, width};
+  prism.upper.cavity = prism.lower.cavity = {depth, width};
+  return prism;
+}
+
+PrismSettings capped(double aspect, double width, double capAspect) {
+  PrismSettings prism{FixedValue{aspect}};
+  prism.upper.cap = prism.lower.cap = {width, capAspect};
+  return prism;
+}
+
+PrismSettings sectors(double aspect, double depth, double width) {
+  PrismSettings prism{FixedValue{aspect}};
+  prism.notch = {depth, width};
   return prism;
 }
 
 ScatterProfile profileOfShape(const ShapeSettings& shape, std::uint64_t rays, Engine engine = Engine::automatic,
                               const OrientationSettings& orientation = RandomOrientation{}, int threads = 0,
                               Sampler sampler = Sampler::random) {
-  const Cloud cloud = cloudUnderPointSun(radians(20), {{"crystals", 1.0, shape, orientation}}, ConstantIce{kIndex});
+  const Cloud cloud = cloudUnderPointSun(radians(20), {{"crystals", 1.0, shape, orientation}}, ConstantIndex{kIndex});
   ScatterProfile profile(kConcaveBins, 0.0, kPi);
   TraceSettings settings;
   settings.rays = rays;
@@ -112,6 +124,16 @@ TEST_CASE("pits that vanish leave the prism, and deep ones change it") {
   CHECK(sigmaOfG(prism, profileOfShape(hollow(2.0, 0.4, 0.8), 150'000)) > 10.0);
 }
 
+TEST_CASE("caps and notches that vanish leave the prism, and others change it") {
+  const ScatterProfile column = profileOfShape(PrismSettings{FixedValue{2.0}}, 150'000);
+  CHECK(worstSigma(column, profileOfShape(capped(1.6, 1.0, 0.2), 150'000)) < 4.0);
+  CHECK(sigmaOfG(column, profileOfShape(capped(1.6, 1.001, 0.2), 150'000)) < 4.0);
+  CHECK(sigmaOfG(column, profileOfShape(capped(1.6, 2.5, 0.2), 150'000)) > 10.0);
+  const ScatterProfile plate = profileOfShape(PrismSettings{FixedValue{0.3}}, 150'000);
+  CHECK(sigmaOfG(plate, profileOfShape(sectors(0.3, 1e-3, 0.5), 150'000)) < 4.0);
+  CHECK(sigmaOfG(plate, profileOfShape(sectors(0.3, 0.8, 0.5), 150'000)) > 10.0);
+}
+
 TEST_CASE("the mean path inside a crystal of any form is n^2 times its volume over its mean silhouette") {
   const auto check = [](const ShapeSettings& shape) {
     const ScatterProfile::Summary s = profileOfShape(shape, 200'000).summary();
@@ -120,29 +142,39 @@ TEST_CASE("the mean path inside a crystal of any form is n^2 times its volume ov
   };
   check(hollow(1.0, 0.6, 0.8));
   check(meshed(halvesOf(1.0, 0.5)));
+  check(capped(1.5, 2.5, 0.1));
+  check(sectors(0.3, 0.7, 0.4));
+  check(RosetteSettings{6, 1.0});
+  check(RosetteSettings{5, 0.8, radians(35.0), 0.5});
 }
 
 TEST_CASE("the silhouette of a crystal that is not convex is that of rays cast at it") {
-  const CrystalMesh mesh = meshFromObj(halvesOf(1.0, 0.5));
-  const ScatterProfile::Summary s = profileOfShape(meshed(mesh), 200'000).summary();
   const EmbreeDevice device;
-  const ConcaveCrystal crystal(device, mesh);
-  RandomStream random(3, 0, RandomPurpose::path);
-  constexpr int kCast = 200'000;
-  int met = 0;
-  for (int i = 0; i < kCast; ++i) {
-    const double z = 2.0 * random.next() - 1.0, turn = 2.0 * kPi * random.next(), w = std::sqrt(1.0 - z * z);
-    const Vec3 dir(w * std::cos(turn), w * std::sin(turn), z);
-    const Vec3 side = glm::normalize(glm::cross(dir, std::abs(z) < 0.9 ? Vec3(0, 0, 1) : Vec3(1, 0, 0)));
-    const double r = mesh.radius() * std::sqrt(random.next()), at = 2.0 * kPi * random.next();
-    const Vec3 point = r * (std::cos(at) * side + std::sin(at) * glm::cross(dir, side)) - 2.0 * mesh.radius() * dir;
-    met += crystal.nextFace(point, dir, kNoFace, Side::outside).has_value();
-  }
-  const double disc = kPi * mesh.radius() * mesh.radius(), share = static_cast<double>(met) / kCast;
-  const double error = disc * std::sqrt(share * (1.0 - share) / kCast);
-  // A pit casts no light-free shadow: less than a quarter of the surface, by some sigma.
-  CHECK(disc * share < 0.25 * s.surface - 20.0 * error);
-  CHECK(std::abs(s.meanProjectedArea - disc * share) < 4.0 * 1.5 * error);
+  const auto check = [&](const CrystalMesh& mesh) {
+    const ScatterProfile::Summary s = profileOfShape(meshed(mesh), 200'000).summary();
+    const ConcaveCrystal crystal(device, mesh);
+    RandomStream random(3, 0, RandomPurpose::path);
+    constexpr int kCast = 200'000;
+    int met = 0;
+    for (int i = 0; i < kCast; ++i) {
+      const double z = 2.0 * random.next() - 1.0, turn = 2.0 * kPi * random.next(), w = std::sqrt(1.0 - z * z);
+      const Vec3 dir(w * std::cos(turn), w * std::sin(turn), z);
+      const Vec3 side = glm::normalize(glm::cross(dir, std::abs(z) < 0.9 ? Vec3(0, 0, 1) : Vec3(1, 0, 0)));
+      const double r = mesh.radius() * std::sqrt(random.next()), at = 2.0 * kPi * random.next();
+      const Vec3 point = r * (std::cos(at) * side + std::sin(at) * glm::cross(dir, side)) - 2.0 * mesh.radius() * dir;
+      met += crystal.nextFace(point, dir, kNoFace, Side::outside).has_value();
+    }
+    const double disc = kPi * mesh.radius() * mesh.radius(), share = static_cast<double>(met) / kCast;
+    const double error = disc * std::sqrt(share * (1.0 - share) / kCast);
+    // A pit casts no light-free shadow: less than a quarter of the surface, by some sigma.
+    CHECK(disc * share < 0.25 * s.surface - 20.0 * error);
+    CHECK(std::abs(s.meanProjectedArea - disc * share) < 4.0 * 1.5 * error);
+  };
+  check(meshFromObj(halvesOf(1.0, 0.5)));
+  check(meshOf(capped(1.5, 2.5, 0.1)));
+  check(meshOf(sectors(0.3, 0.7, 0.4)));
+  check(meshOf(RosetteSettings{6, 1.0}));
+  check(meshOf(RosetteSettings{8, 0.6, radians(28.0), 0.5}));
 }
 
 TEST_CASE("a hollow column casts the shadow of the plain one") {

@@ -18,7 +18,7 @@ namespace {
 
 /// Randomly oriented hexagonal prisms.
 Cloud freePrisms(double aspect, double index = kIndex) {
-  return cloudUnderPointSun(radians(20), {prisms(aspect, RandomOrientation{})}, ConstantIce{index});
+  return cloudUnderPointSun(radians(20), {prisms(aspect, RandomOrientation{})}, ConstantIndex{index});
 }
 
 /// Sums over rays of the internal path and its square. How many rays are traced at a time differs from run to run, so
@@ -145,6 +145,29 @@ TEST_CASE(
   };
   for (const double aspect : {0.01, 0.1, 1.0, 10.0}) checkReflected(aspect, 1.31);
   checkReflected(1.0, 1.3110);
+}
+
+TEST_CASE("indices from 1.01 to 3 reflect what they must at the outside, and lose nothing, by all that follows rays") {
+  for (const double index : {1.01, 1.2, 1.5, 2.0, 3.0})
+    for (const Engine engine : {Engine::planes, Engine::embree}) {
+      CAPTURE(index);
+      SampleMean external;
+      double worst = 0.0, cutOff = 0.0, lost = 0.0;
+      forEachRay(freePrisms(0.5, index), 200'000,
+                 [&](const LightPath& path) {
+                   external.add(path.exits.front().order == 0 ? path.exits.front().energy : 0.0);
+                   double out = path.cutOff + path.lost;
+                   for (const Exit& exit : path.exits) out += exit.energy;
+                   worst = std::max(worst, std::abs(out - path.incident.weight));
+                   cutOff += path.cutOff;
+                   lost += path.lost;
+                 },
+                 {.engine = engine});
+      CHECK(external.sigmasFrom(theory::externalReflection(index)) < 4.0);
+      CHECK(worst < 1e-12);
+      CHECK(cutOff == 0.0);
+      CHECK(lost == 0.0);
+    }
 }
 
 TEST_CASE("light stays in prisms for n^2 times the mean chord 4 V / S, energy weighted") {

@@ -20,7 +20,7 @@ std::vector<PopulationSettings> mixture() {
 }
 
 SkyMap mapOf(const TraceSettings& settings) {
-  const Cloud cloud({radians(25), 0.0, MonochromaticSpectrum{}, false}, ConstantIce{kIndex}, mixture());
+  const Cloud cloud({radians(25), 0.0, MonochromaticSpectrum{}, false}, ConstantIndex{kIndex}, mixture());
   SkyMap map(cloud.sun().toCentre(), 60);
   traceRays(cloud, settings, 0, map);
   return map;
@@ -48,7 +48,7 @@ TEST_CASE("Embree's two modes and the planes give the same sky") {
 
 TEST_CASE("a ray's wavelength has nothing to do with its way: with one index, all tenths of the spectrum see one sky") {
   // Wavelengths are spread evenly over consecutive rays; an echo of that in the geometry would show here.
-  const Cloud cloud({radians(25), 0.0, ContinuousSpectrum{}, false}, ConstantIce{kIndex}, mixture());
+  const Cloud cloud({radians(25), 0.0, ContinuousSpectrum{}, false}, ConstantIndex{kIndex}, mixture());
   constexpr int kTenths = 10, kBins = 30;
   std::vector<BundleBins> light(kTenths, BundleBins(kBins));
   std::array<std::uint64_t, kTenths> rays{};
@@ -78,7 +78,7 @@ TEST_CASE("a ray's wavelength has nothing to do with its way: with one index, al
 }
 
 TEST_CASE("evenly spread wavelengths have the spectrum's white as their mean, far closer than chance would bring it") {
-  const Cloud cloud({radians(25), 0.0, ContinuousSpectrum{}, false}, ConstantIce{kIndex}, mixture());
+  const Cloud cloud({radians(25), 0.0, ContinuousSpectrum{}, false}, ConstantIndex{kIndex}, mixture());
   constexpr std::uint64_t kFew = 100'000;
   RaySource source(cloud, {}, 256);
   Vec3 sum(0.0);

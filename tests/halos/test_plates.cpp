@@ -14,7 +14,7 @@ using namespace parhelion;
 namespace {
 
 Cloud plates(double sunDegrees, double index = kIndex, double aspect = 0.3) {
-  return cloudUnderPointSun(radians(sunDegrees), {prisms(aspect, plateOrientation())}, ConstantIce{index});
+  return cloudUnderPointSun(radians(sunDegrees), {prisms(aspect, plateOrientation())}, ConstantIndex{index});
 }
 
 /// Azimuths (degrees) of all light within 0.01 degrees of an elevation, whatever faces it has met.

@@ -30,19 +30,19 @@ EdgeFit ringEdge(double wavelength, const IceSettings& ice, double guess, std::u
 TEST_CASE("the 22 degree ring's inner edge lies at the least deviation of the 60 degree wedge, 21.839 at n = 1.31") {
   const double expected = degrees(theory::leastDeviation(radians(60), kIndex));
   CHECK(expected == doctest::Approx(21.839).epsilon(5e-5));
-  const EdgeFit edge = ringEdge(550.0, ConstantIce{kIndex}, 21.8, 800'000);
+  const EdgeFit edge = ringEdge(550.0, ConstantIndex{kIndex}, 21.8, 800'000);
   CHECK(edge.step > 0.0);
   checkPosition("22° ring, inner edge, n = 1.31", expected, edge.position, 0.01);
-  CHECK(std::abs(ringEdge(550.0, ConstantIce{kIndex}, 21.8, 800'000, Engine::embree).position - expected) < 0.01);
+  CHECK(std::abs(ringEdge(550.0, ConstantIndex{kIndex}, 21.8, 800'000, Engine::embree).position - expected) < 0.01);
 }
 
 TEST_CASE("the 46 degree ring's inner edge lies at the least deviation of the 90 degree wedge, 45.733 at n = 1.31") {
   const double expected = degrees(theory::leastDeviation(radians(90), kIndex));
   CHECK(expected == doctest::Approx(45.733).epsilon(5e-5));
-  const EdgeFit edge = ringEdge(550.0, ConstantIce{kIndex}, 45.7, 2'000'000);
+  const EdgeFit edge = ringEdge(550.0, ConstantIndex{kIndex}, 45.7, 2'000'000);
   CHECK(edge.step > 0.0);
   checkPosition("46° ring, inner edge, n = 1.31", expected, edge.position, 0.03);
-  CHECK(std::abs(ringEdge(550.0, ConstantIce{kIndex}, 45.7, 2'000'000, Engine::embree).position - expected) < 0.03);
+  CHECK(std::abs(ringEdge(550.0, ConstantIndex{kIndex}, 45.7, 2'000'000, Engine::embree).position - expected) < 0.03);
 }
 
 TEST_CASE("the 22 degree ring is red inside: its edge is at 22.272 degrees in 450 nm, 21.915 in 550, 21.688 in 650") {
@@ -54,7 +54,7 @@ TEST_CASE("the 22 degree ring is red inside: its edge is at 22.272 degrees in 45
     CAPTURE(c.wavelength);
     const double expected = degrees(theory::leastDeviation(radians(60), c.index));
     CHECK(std::abs(expected - c.edge) < 0.001);
-    const EdgeFit edge = ringEdge(c.wavelength, TabulatedIce{}, 22.0, 500'000);
+    const EdgeFit edge = ringEdge(c.wavelength, PublishedIndex{}, 22.0, 500'000);
     checkPosition("22° ring, inner edge, " + std::to_string(int(c.wavelength)) + " nm", expected, edge.position, 0.015);
   }
 }

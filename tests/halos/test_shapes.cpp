@@ -5,6 +5,8 @@
 #include <cmath>
 #include <vector>
 
+#include <glm/geometric.hpp>
+
 #include "crystal/population.h"
 #include "halos/experiment.h"
 #include "trace/scatter_profile.h"
@@ -20,7 +22,7 @@ PopulationSettings crystals(const ShapeSettings& shape, const OrientationSetting
 }
 
 Cloud cloudOf(const std::vector<PopulationSettings>& populations, double index = kIndex) {
-  return cloudUnderPointSun(radians(20), populations, ConstantIce{index});
+  return cloudUnderPointSun(radians(20), populations, ConstantIndex{index});
 }
 
 ScatterProfile profileOf(const Cloud& cloud, std::uint64_t rays, const TraceSettings& settings = {}, int threads = 0) {
@@ -69,8 +71,16 @@ double edgeOf(const Cloud& cloud, double from, double to) {
   return from + static_cast<double>(steepest) * (to - from) / 400.0;
 }
 
-double leastDeviation(double wedgeDegrees) {
-  return degrees(2.0 * std::asin(kIndex * std::sin(radians(0.5 * wedgeDegrees)))) - wedgeDegrees;
+double leastDeviation(double wedgeDegrees, double index = kIndex) {
+  return degrees(2.0 * std::asin(index * std::sin(radians(0.5 * wedgeDegrees)))) - wedgeDegrees;
+}
+
+/// A crystal of planes as far from its middle.
+PlanesSettings crystalOf(const std::vector<Vec3>& normals) {
+  PlanesSettings crystal;
+  for (const Vec3& normal : normals)
+    crystal.planes.push_back({static_cast<int>(crystal.planes.size()) + 1, glm::normalize(normal), 1.0});
+  return crystal;
 }
 
 }  // namespace
@@ -83,6 +93,37 @@ TEST_CASE("an octahedron's wedge of 70.529 degrees makes a ring at 27.754 degree
         {i + 1, Vec3(i & 1 ? -third : third, i & 2 ? -third : third, i & 4 ? -third : third), 1.0});
   CHECK(leastDeviation(70.5287794) == doctest::Approx(27.754).epsilon(1e-4));
   CHECK(std::abs(edgeOf(cloudOf({crystals(octahedron)}), 26.0, 30.0) - 27.754) < 0.011);
+}
+
+TEST_CASE("crystals of CO2 ice, of index 1.41, make rings at 29.659 degrees by 60 and 81.152 degrees by 90") {
+  CHECK(leastDeviation(60.0, 1.41) == doctest::Approx(29.659).epsilon(2e-5));
+  CHECK(leastDeviation(90.0, 1.41) == doctest::Approx(81.152).epsilon(2e-5));
+  std::vector<Vec3> dodecahedron, cube;
+  for (int axis = 0; axis < 3; ++axis)
+    for (const double a : {-1.0, 1.0}) {
+      Vec3 square(0.0);
+      square[axis] = a;
+      cube.push_back(square);
+      for (const double b : {-1.0, 1.0}) {
+        square[(axis + 1) % 3] = b;
+        dodecahedron.push_back(square);
+      }
+    }
+  // The edge of the latter is too faint to be fitted: what goes through two faces alone is looked at one by one.
+  const auto least = [](const std::vector<Vec3>& normals) {
+    double angle = kPi;
+    forEachRay(cloudOf({crystals(crystalOf(normals))}, 1.41), 400'000, [&](const LightPath& path) {
+      for (const Exit& exit : path.exits)
+        if (exit.order == 1 && !exit.undeviated)
+          angle = std::min(angle, angleBetween(path.incident.lightDirWorld, exit.lightDirWorld));
+    });
+    return degrees(angle);
+  };
+  for (const auto& [normals, expected] : {std::pair(dodecahedron, 29.659), {cube, 81.152}}) {
+    const double found = least(normals);
+    CHECK(found > expected - 1e-3);
+    CHECK(found < expected + 2e-2);
+  }
 }
 
 TEST_CASE("pyramids of {20-21} on one end and {10-12} on the other stand at their own slopes") {

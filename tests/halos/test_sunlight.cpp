@@ -33,7 +33,7 @@ struct MeanWavelength {
 };
 
 Cloud colouredCloud(const PopulationSettings& crystals) {
-  return Cloud({radians(20), 0.0, ContinuousSpectrum{}, false}, TabulatedIce{}, {&crystals, 1});
+  return Cloud({radians(20), 0.0, ContinuousSpectrum{}, false}, PublishedIndex{}, {&crystals, 1});
 }
 
 }  // namespace
@@ -42,7 +42,7 @@ TEST_CASE("the sun's disc softens the ring's edge over its own radius and leaves
   const PopulationSettings crystals = prisms(1.0, RandomOrientation{});
   const double expected = degrees(theory::leastDeviation(radians(60), kIndex));
   const auto edgeUnder = [&](double diameter) {
-    const Cloud cloud({radians(20), radians(diameter), MonochromaticSpectrum{}, false}, ConstantIce{kIndex},
+    const Cloud cloud({radians(20), radians(diameter), MonochromaticSpectrum{}, false}, ConstantIndex{kIndex},
                       {&crystals, 1});
     return fitSoftEdge(aroundSun(cloud, 1'000'000, Histogram(expected - 1, expected + 1, 200)), 0.4);
   };

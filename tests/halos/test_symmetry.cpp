@@ -67,7 +67,7 @@ TEST_CASE("the sky of symmetric crystals is the same to the left and to the righ
       prisms(0.2, AxisOrientation{Normal{0.0, radians(1)}, kFree, kFree}),
       prisms(2.0, AxisOrientation{Normal{0.5 * kPi, radians(1)}, kFree, kFree}), prisms(1.0, RandomOrientation{}),
       prisms(1.0, LowitzOrientation{})};
-  const Cloud cloud({radians(20), radians(0.533), ContinuousSpectrum{}, false}, TabulatedIce{}, crystals);
+  const Cloud cloud({radians(20), radians(0.533), ContinuousSpectrum{}, false}, PublishedIndex{}, crystals);
   SkyMap map(cloud.sun().toCentre(), 60);
   traceRays(cloud, {.rays = 2'000'000}, 0, map);
   Disagreement sum;

@@ -5,6 +5,7 @@
 
 #include <doctest/doctest.h>
 
+#include "math/names.h"
 #include "optics/tables.h"
 
 using namespace parhelion;
@@ -57,13 +58,50 @@ TEST_CASE("the index of ice falls steadily with wavelength and keeps its ends' v
 }
 
 TEST_CASE("a constant index is the same at every wavelength") {
-  CHECK(refractiveIndex(ConstantIce{1.31}, 400.0) == 1.31);
-  CHECK(refractiveIndex(ConstantIce{1.31}, 700.0) == 1.31);
-  CHECK(refractiveIndex(TabulatedIce{}, 550.0) == doctest::Approx(1.3110).epsilon(1e-9));
+  CHECK(refractiveIndex(ConstantIndex{1.31}, 400.0) == 1.31);
+  CHECK(refractiveIndex(ConstantIndex{1.31}, 700.0) == 1.31);
+  CHECK(refractiveIndex(PublishedIndex{}, 550.0) == doctest::Approx(1.3110).epsilon(1e-9));
+}
+
+TEST_CASE("published indices are those of their sources") {
+  const auto at = [](Material material, double wavelength) {
+    return refractiveIndex(PublishedIndex{material}, wavelength);
+  };
+  // Li 1976 tabulates 1.5441 at the sodium line and 1.56769 at 400 nm; the handbooks' n_D of water at 20 degrees is
+  // 1.33299 relative to air, 1.33336 to vacuum.
+  CHECK(std::abs(at(Material::salt, 589.3) - 1.5441) < 1e-4);
+  CHECK(std::abs(at(Material::salt, 400.0) - 1.5675) < 3e-4);
+  CHECK(std::abs(at(Material::water, 589.3) - 1.33336) < 3e-5);
+  CHECK(at(Material::cubicIce, 550.0) == iceIndex(550.0));
+  const Node co2[] = {{333, 1.438}, {363, 1.432}, {401, 1.426}, {427, 1.423}, {452, 1.420},
+                      {490, 1.417}, {515, 1.415}, {553, 1.413}, {578, 1.412}, {616, 1.411},
+                      {679, 1.409}, {742, 1.407}, {805, 1.406}, {868, 1.406}, {931, 1.405}};
+  for (const Node& node : co2) CHECK(std::abs(at(Material::co2Ice, node.wavelength) - node.index) < 5.5e-4);
+  for (const Node& node : {Node{433, 1.449}, Node{668, 1.423}, Node{1462, 1.408}})
+    CHECK(std::abs(at(Material::ammoniaIce, node.wavelength) - node.index) < 2e-4);
+  for (const Material material : kMembersOf<Material>) {
+    CAPTURE(nameOf(material));
+    for (double w = 360.0; w < 830.0; w += 1.0) CHECK(at(material, w) >= at(material, w + 1.0));
+    CHECK(at(material, 1.0) == at(material, 150.0));  // the ends' values beyond
+    CHECK(at(material, 1e5) == at(material, 1e6));
+  }
+}
+
+TEST_CASE("formulas count wavelengths in micrometres, and tables are linear between their nodes") {
+  CHECK(refractiveIndex(CauchyIndex{{1.3, 0.004, 0.0001}}, 500.0) == doctest::Approx(1.3 + 0.016 + 0.0016));
+  CHECK(refractiveIndex(SellmeierIndex{1.1, {{0.6, 0.01}}}, 500.0) ==
+        doctest::Approx(std::sqrt(1.1 + 0.6 * 0.25 / (0.25 - 0.01))));
+  const IceSettings table = IndexTable{{{400, 1.33}, {500, 1.32}, {700, 1.30}}};
+  CHECK(refractiveIndex(table, 450.0) == doctest::Approx(1.325));
+  CHECK(refractiveIndex(table, 500.0) == 1.32);
+  CHECK(refractiveIndex(table, 650.0) == doctest::Approx(1.305));
+  CHECK(refractiveIndex(table, 100.0) == 1.33);
+  CHECK(refractiveIndex(table, 700.0) == 1.30);
+  CHECK(refractiveIndex(IndexTable{{{550, 1.4}}}, 500.0) == 1.4);
 }
 
 TEST_CASE("of a mixture of indices every half of the bundles takes each in turn") {
-  const IceSettings ice = IceMixture{{1.30, 1.31, 1.32}};
+  const IceSettings ice = IndexMixture{{1.30, 1.31, 1.32}};
   for (const std::uint64_t half : {0, 1}) {
     double sum = 0.0;
     for (std::uint64_t bundle = half; bundle < 12; bundle += 2) sum += refractiveIndex(ice, 550.0, bundle);

@@ -107,6 +107,34 @@ TEST_CASE("a picture comes back from its file as it was, with its attributes") {
   CHECK(directory.names().size() == 1);
 }
 
+TEST_CASE(
+    "in ACEScg red, green and blue of Rec.709 have the values of other programs, and come back, layers with them") {
+  const TemporaryDirectory directory;
+  const std::filesystem::path path = directory / "acescg.exr";
+  Image image{4, 1, {}};
+  for (const char* layer : {"", "halo."})
+    for (std::size_t c = 0; c < 3; ++c) {
+      std::vector<float>& plane = image.add(std::string(layer) + "RGB"[c]);
+      plane[c] = plane[3] = 1.0F;
+    }
+  image.add("Variance.Y")[0] = 0.5F;
+  writeBeautyExr(path, image, {}, Envmap::none, kAcesCgChromaticities);
+  const ExrFile stored = readExr(path, ExrColours::asStored), back = readExr(path);
+  REQUIRE(stored.chromaticities);
+  CHECK(stored.chromaticities->green.y == doctest::Approx(0.83));
+  // The matrix that is in use for this, by a Bradford adaptation.
+  const double known[3][4] = {
+      {0.6131, 0.3395, 0.0474, 1.0}, {0.0702, 0.9164, 0.0135, 1.0}, {0.0206, 0.1096, 0.8698, 1.0}};
+  for (const char* layer : {"", "halo."})
+    for (std::size_t c = 0; c < 3; ++c)
+      for (std::size_t i = 0; i < 4; ++i) {
+        const std::string name = std::string(layer) + "RGB"[c];
+        CHECK(std::abs((*stored.image.find(name))[i] - known[c][i]) < 2e-4);
+        CHECK(std::abs((*back.image.find(name))[i] - (*image.find(name))[i]) < 1e-6);
+      }
+  CHECK(*stored.image.find("Variance.Y") == *image.find("Variance.Y"));
+}
+
 TEST_CASE("the luminance of white is a number of OpenEXR's own in the file, and comes back as text") {
   const TemporaryDirectory directory;
   const std::filesystem::path path = directory / "a.exr";

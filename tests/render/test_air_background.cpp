@@ -90,6 +90,84 @@ TEST_CASE("below the horizon crystals are seen from the air alone") {
   CHECK(ofHalo("observer.altitude=3000") > 0.0);
 }
 
+namespace {
+
+/// The light of an even halo of 0.25 1/sr in a pixel of a scene with air, and of the sky without it.
+struct OfAirAndHalo {
+  OfAirAndHalo(const std::vector<std::string>& overrides, int x, int y) {
+    const LoadedScene loaded = smallScene(overrides);
+    Dark dark(loaded), lit(loaded);
+    for (Channel& channel : lit.image.channels) channel.samples.assign(channel.samples.size(), 0.25F);
+    addAir(dark.image, dark.camera, dark.info, loaded.scene, 1);
+    addAir(lit.image, lit.camera, lit.info, loaded.scene, 1);
+    sky = dark.luminance(x, y);
+    halo = lit.luminance(x, y) - sky;
+  }
+  double sky, halo;
+};
+
+}  // namespace
+
+TEST_CASE(
+    "a cloud high up is lit by whiter sunlight, and seen through the air below it, most of which dims the horizon") {
+  const std::vector<std::string> plain{
+      "sky.air=true",        "sky.aerosol=0",           "sky.ozone=0", "cloud.optical_depth=1e-4", "sun.elevation=40",
+      "camera.elevation=90", "camera.fov_horizontal=10"};
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), plain.begin(), plain.end());
+    return more;
+  };
+  // In the zenith: sunlight gets 1/sin 40 of the depth of molecules above the cloud, and the cloud's light that below.
+  const double here = OfAirAndHalo(plain, 24, 16).halo;
+  const double there = OfAirAndHalo(with({"cloud.altitude=8000"}), 24, 16).halo;
+  const double depth = 0.0973, below = depth * (1.0 - std::exp(-1.0));  // at 550 nm
+  CHECK(there / here == doctest::Approx(std::exp(below / std::sin(radians(40.0)) - below)).epsilon(0.01));
+  // Near the horizon, from within 2 m of the crystals and from 8 km below them.
+  const std::vector<std::string> low{"camera.elevation=6"};
+  const double lowHere = OfAirAndHalo(with(low), 24, 16).halo,
+               lowThere = OfAirAndHalo(with({"camera.elevation=6", "cloud.altitude=8000"}), 24, 16).halo;
+  CHECK(lowThere / lowHere < 0.75 * there / here);
+  CHECK(OfAirAndHalo(with({"cloud.altitude=0"}), 24, 16).halo == doctest::Approx(here).epsilon(1e-3));
+}
+
+TEST_CASE(
+    "a thin cloud hides nothing of the sky, at whatever altitude; before a deep one is the light of the air alone") {
+  const std::vector<std::string> plain{"sky.air=true", "camera.elevation=12", "camera.fov_horizontal=10"};
+  const auto skyWith = [&](const std::string& depth, const std::string& altitude) {
+    std::vector<std::string> all{plain};
+    all.push_back("cloud.optical_depth=" + depth);
+    if (!altitude.empty()) all.push_back("cloud.altitude=" + altitude);
+    return OfAirAndHalo(all, 24, 16).sky;
+  };
+  const double clear = skyWith("1e-9", "");
+  for (const char* altitude : {"0", "300", "3000", "12000", "50000"})
+    CHECK(skyWith("1e-9", altitude) == doctest::Approx(clear).epsilon(1e-4));
+  // All the air is before a cloud above it, and is lit by less than the whole sun.
+  CHECK(skyWith("3", "50000") < clear);
+  CHECK(skyWith("3", "50000") > 0.3 * clear);
+}
+
+TEST_CASE("from above a cloud is seen below the horizon alone, and from below above it") {
+  const std::vector<std::string> plain{"sky.air=true", "cloud.optical_depth=0.3", "camera.fov_horizontal=10"};
+  const auto haloAt = [&](const char* elevation, const char* observer) {
+    std::vector<std::string> all{plain};
+    for (const std::string& more : {std::string("cloud.altitude=9000"), std::string("camera.elevation=") + elevation,
+                                    std::string("observer.altitude=") + observer})
+      all.push_back(more);
+    return OfAirAndHalo(all, 24, 16).halo;
+  };
+  CHECK(haloAt("20", "11000") == 0.0);
+  CHECK(haloAt("-20", "11000") > 0.0);
+  CHECK(haloAt("20", "5000") > 0.0);
+  CHECK(haloAt("-20", "5000") == 0.0);
+  // It ends at the dip of its edge, 1.4 degrees for 2 km above it.
+  CHECK(haloAt("-1", "11000") == 0.0);
+  CHECK(haloAt("-1.8", "11000") > 0.0);
+  // In the midst of it.
+  CHECK(haloAt("20", "9000") > 0.0);
+  CHECK(haloAt("-20", "9000") > 0.0);
+}
+
 TEST_CASE("sunlight that reaches the crystals is redder the lower the sun, and as above the air where there is none") {
   const auto white = [](const std::vector<std::string>& overrides) {
     return Spectrum(sunAtCloud(smallScene(overrides).scene).spectrum).white();

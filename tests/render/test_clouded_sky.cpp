@@ -109,3 +109,13 @@ TEST_CASE("from the air the cloud is before the ground, from the ground it is no
   // Ground that is black shows the sky in the cloud's upper side.
   CHECK(flying.clouded.radiance(down).y > 2.0 * standing.clouded.radiance(down).y);
 }
+
+TEST_CASE("a level cloud is seen down to the horizon of the round earth, which lies a little below it") {
+  const Skies standing(sceneOf(depth("0.15")));
+  const double dip = -standing.clear.horizon();
+  REQUIRE(dip > 0.0);
+  const auto at = [&](double elevation) { return standing.clouded.radiance(skyDirection(1.0, elevation)).y; };
+  CHECK(at(-0.5 * dip) == doctest::Approx(at(1e-6)).epsilon(0.05));
+  // Where a clear sky is brighter.
+  CHECK(at(-0.5 * dip) < 0.8 * standing.clear.radiance(skyDirection(1.0, -0.5 * dip)).y);
+}

@@ -146,3 +146,32 @@ TEST_CASE("light of wedges begins at their least deviation") {
     for (int k = 0; k < 19; ++k) CHECK(profile.bins[static_cast<std::size_t>(k)].energy < 1e-3 * most);
   }
 }
+
+TEST_CASE("the red light inside the rings of a white sun is as bright as rays have it") {
+  // It is a small part of all light: a few indices for all of it would be a few rings.
+  const std::string columns = kColumns.substr(kLight.size());
+  for (const double first : {21.4, 45.2}) {
+    CAPTURE(first);
+    constexpr int kBins = 8;
+    const Scene scene = sceneOf("[sun]\nspectrum = \"sun\"\n" + columns);
+    const IntegratedProfile integral = integrated(scene, 0.03, kBins, first, first + 0.8);
+    ScatterProfile rays(kBins, radians(first), radians(first + 0.8));
+    TraceSettings settings = scene.trace;
+    settings.symmetry = Symmetry::none;
+    traceRays(cloudByLight(scene), settings, 0, rays);
+    const std::vector<ScatterProfile::Bin> bins = rays.bins();
+    for (std::size_t k = 0; k < kBins; ++k)
+      CHECK(std::abs(integral.bins[k].energy - bins[k].energy) < kSigmas * bins[k].error + 0.04 * bins[k].energy);
+  }
+}
+
+TEST_CASE("crystals that absorb, are distorted or diffract are not integrated, and it is said why") {
+  const auto objection = [](const std::string& ice, const std::string& keys) {
+    return objectionToIntegral(sceneOf(kLight + ice + "[[population]]\nname = \"p\"\n" + keys));
+  };
+  CHECK(objection("", "").empty());
+  CHECK(objection("absorption = false\n", "size = 30\ndiffraction = false\ndistortion = 0\n").empty());
+  CHECK(objection("absorption = 1e-6\n", "size = 30\n") == "population p absorbs light");
+  CHECK(objection("", "distortion = 1\n") == "population p has faces that are tilted by chance");
+  CHECK(objection("", "size = 30\ndiffraction = true\n") == "population p spreads light by diffraction");
+}

@@ -209,6 +209,17 @@ TEST_CASE("the errors that integrated skies state are those that they have again
   }
 }
 
+TEST_CASE("the errors of crystals at rest under the sun's disc are those that are stated") {
+  // Pixels of 0.16 degrees about a tangent arc: the first mesh against one that is finer.
+  const std::string scene =
+      "[sun]\nelevation = 45.0\nspectrum = 550.0\n[[population]]\naspect = 3.0\norientation = \"column\"\ntilt = 0.0\n"
+      "[camera]\nelevation = 67.0\nfov_horizontal = 15.0\nresolution = [96, 96]\n";
+  const auto shares = within(skyOf(scene, 1.0).image, skyOf(scene, 0.001).image);
+  CHECK(shares[0] >= 0.6);
+  CHECK(shares[1] >= 0.9);
+  CHECK(shares[2] >= 0.98);
+}
+
 TEST_CASE("the errors that integrated skies of crystals of one tilt and roll state are those that they have") {
   // The first mesh against one that is three times as fine, at least.
   for (const auto& [scene, fine] : {std::pair{kParry, 0.0012}, {kParryAndDisc, 0.008}, {kParryInColours, 0.006}}) {

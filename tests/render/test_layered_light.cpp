@@ -109,7 +109,7 @@ TEST_CASE("first order of layers by walks is the closed form, in every block wit
           all += light;
         }
       // Undeviated shares are known to half a hundredth of all light, and shadows to a thousandth.
-      CHECK(std::abs(difference) < 4.0 * std::sqrt(squares) + 0.015 * all);
+      CHECK(std::abs(difference) < 4.0 * std::sqrt(squares) + 0.005 * all);
     }
 }
 

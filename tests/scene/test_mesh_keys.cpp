@@ -91,16 +91,67 @@ TEST_CASE("meshes that are no crystals are refused with file and line") {
 
 TEST_CASE("pits of prisms are one for both ends, or one for each") {
   const auto both = std::get<PrismSettings>(populationWith("cavity = { depth = 0.4, width = 0.7 }").shape);
-  CHECK(both.upperCavity == Cavity{0.4, 0.7});
-  CHECK(both.lowerCavity == both.upperCavity);
+  CHECK(both.upper.cavity == Cavity{0.4, 0.7});
+  CHECK(both.lower.cavity == both.upper.cavity);
   const auto one = std::get<PrismSettings>(populationWith("lower_cavity = { depth = 1.5 }").shape);
-  CHECK(!one.upperCavity.isThere());
-  CHECK(one.lowerCavity == Cavity{1.5, 0.8});
+  CHECK(!one.upper.cavity.isThere());
+  CHECK(one.lower.cavity == Cavity{1.5, 0.8});
   for (const char* wrong :
        {"cavity = { width = 0.4 }", "cavity = { depth = 2 }", "cavity = { depth = 0.5, width = 1 }", "cavity = 1",
         "cavity = { depth = 1 }", "cavity = { depth = 0.5 }\naspect = { normal = [1, 0.1] }",
         "cavity = { depth = 0.5 }\nsides = [1, 2, 1, 2, 1, 2]", "shape = 'pyramid'\ncavity = { depth = 0.5 }"})
     CHECK_MESSAGE(!errorsOf(std::string("[[population]]\n") + wrong).empty(), wrong);
+}
+
+TEST_CASE("caps are one for both ends, or one for each, and notches are in all sides") {
+  const auto both = std::get<PrismSettings>(populationWith("cap = { width = 3, aspect = 0.05 }").shape);
+  CHECK(both.upper.cap == Cap{3.0, 0.05});
+  CHECK(both.lower.cap == both.upper.cap);
+  const auto one =
+      std::get<PrismSettings>(populationWith("upper_cap = { width = 2.5 }\nlower_cavity = { depth = 0.5 }").shape);
+  CHECK(one.upper == PrismEnd{{}, {2.5, 0.1}});
+  CHECK(one.lower == PrismEnd{{0.5, 0.8}, {}});
+  CHECK(std::get<PrismSettings>(populationWith("notch = { depth = 0.6, width = 0.4 }").shape).notch == Notch{0.6, 0.4});
+  const std::string begin = "[[population]]\naspect = 2\n";
+  CHECK(has(describeScene(sceneOf(begin + "upper_cap = { width = 2.5 }\n")),
+            "prism, aspect 2, upper cap 2.5 wide, aspect 0.1"));
+  CHECK(has(describeScene(sceneOf(begin + "notch = { depth = 0.5 }\n")), "aspect 2, notches 0.5 deep, 0.5 wide"));
+  CHECK(errorsOf(begin + "cap = { aspect = 0.1 }").at(0).message == "'cap' needs a 'width'");
+  for (const char* wrong :
+       {"cap = { aspect = 0.4 }", "cap = { width = 0 }", "cap = { width = 101 }", "cap = 2",
+        "cap = { width = 2, aspect = 0 }", "cap = { width = 2 }\ncavity = { depth = 0.5 }",
+        "cap = { width = 2 }\nnotch = { depth = 0.5 }", "cap = { width = 2 }\nsides = [1, 2, 1, 2, 1, 2]",
+        "notch = { width = 0.5 }", "notch = { depth = 1 }", "notch = { depth = 0.5, width = 1 }",
+        "shape = 'pyramid'\nnotch = { depth = 0.5 }", "cap = { width = 2, depth = 0.1 }"})
+    CHECK_MESSAGE(errorsOf(std::string("[[population]]\n") + wrong).size() == 1, wrong);
+  CHECK(errorsOf("[[population]]\naspect = { uniform = [1, 2] }\nnotch = { depth = 0.5 }").at(0).message ==
+        "a prism with pits, caps or notches has regular sides and one aspect");
+  CHECK(keysOf(sceneOf(begin)) != keysOf(sceneOf(begin + "cap = { width = 2 }")));
+  CHECK(keysOf(sceneOf(begin + "upper_cap = { width = 2 }")) != keysOf(sceneOf(begin + "lower_cap = { width = 2 }")));
+  CHECK(keysOf(sceneOf(begin)) != keysOf(sceneOf(begin + "notch = { depth = 0.5 }")));
+}
+
+TEST_CASE("a rosette has bullets with an aspect and a slope, which may overlap") {
+  const auto plain = std::get<RosetteSettings>(populationWith("shape = 'rosette'").shape);
+  CHECK(plain.bullets == 6);
+  CHECK(plain.overlap == 0.0);
+  const auto own = std::get<RosetteSettings>(
+      populationWith("shape = 'rosette'\nbullets = 4\naspect = 1.5\nslope = 30\noverlap = 0.25").shape);
+  CHECK(own.bullets == 4);
+  CHECK(own.aspect == 1.5);
+  CHECK(own.slope == doctest::Approx(radians(30)));
+  CHECK(own.overlap == 0.25);
+  const std::string begin = "[[population]]\nshape = 'rosette'\n";
+  CHECK(has(describeScene(sceneOf(begin + "bullets = 4\noverlap = 0.25")),
+            "rosette, aspect 2, slope 28°, bullets 4, overlap 0.25"));
+  CHECK(errorsOf(begin + "slope = 50").at(0).message ==
+        "parts of the crystal meet in a corner or an edge alone, or nearly so");
+  for (const char* wrong : {"bullets = 0", "bullets = 9", "bullets = 2.5", "overlap = -0.1", "overlap = 1.5",
+                            "aspect = { normal = [1, 0.1] }", "slope = { normal = [28, 1] }", "slope = 90",
+                            "upper = 0.5", "cavity = { depth = 0.4 }"})
+    CHECK_MESSAGE(errorsOf(begin + wrong).size() == 1, wrong);
+  CHECK(has(errorsOf("[[population]]\nbullets = 4\n").at(0).hint, "it needs shape = \"rosette\""));
+  CHECK(keysOf(sceneOf(begin)) != keysOf(sceneOf(begin + "overlap = 0.25")));
 }
 
 TEST_CASE("crystals that are not convex are in no cloud and not for the planes, and it is said") {

@@ -58,8 +58,9 @@ TEST_CASE("every member of a family has a name of its own, which reads back") {
   checkNames<Projection>(11);
   checkNames<Horizon>(2);
   checkNames<ContinuousSpectrum::Source>(9);
+  checkNames<Material>(6);
   checkNames<OrientationName>(5);
-  checkNames<ShapeSettings>(4);
+  checkNames<ShapeSettings>(5);
   checkNames<ReconSettings>(8);
 }
 
@@ -92,11 +93,12 @@ TEST_CASE("the table of keys knows which keys a method and a shape have") {
   CHECK(keysOfChosen(ReconSettings(GonzatoMarchandSettings{})).others ==
         Keys{"sigma", "scales", "period", "reading", "relaxation"});
   CHECK(keysOfChosen(PopulationKeys{.shape = PrismSettings{}}).own ==
-        Keys{"aspect", "sides", "cavity", "upper_cavity", "lower_cavity"});
+        Keys{"aspect", "sides", "cavity", "upper_cavity", "lower_cavity", "cap", "upper_cap", "lower_cap", "notch"});
   CHECK(keysOfChosen(PopulationKeys{.shape = PyramidSettings{}}).own ==
         Keys{"aspect", "sides", "upper", "lower", "slope"});
   CHECK(keysOfChosen(PopulationKeys{.shape = PlanesSettings{}}).own == Keys{"planes"});
   CHECK(keysOfChosen(PopulationKeys{.shape = MeshSettings{}}).own == Keys{"mesh"});
+  CHECK(keysOfChosen(PopulationKeys{.shape = RosetteSettings{}}).own == Keys{"aspect", "slope", "bullets", "overlap"});
 }
 
 TEST_CASE("keys fill the settings of the chosen method and leave the defaults of the others") {

@@ -20,7 +20,7 @@ double tiltOf(const PopulationSettings& p) {
 TEST_CASE("overrides replace values, add keys and add tables") {
   CHECK(sceneOf(kExample, {"sun.elevation=25"}).sun.elevation == radians(25.0));
   CHECK(sceneOf(kExample, {"camera.image_circle = 190"}).camera.imageCircle == radians(190.0));
-  CHECK(std::get<ConstantIce>(sceneOf(kPopulation, {"ice.index=1.31"}).ice).index == 1.31);
+  CHECK(std::get<ConstantIndex>(sceneOf(kPopulation, {"ice.index=1.31"}).ice.index).index == 1.31);
   CHECK(sceneOf(kExample, {"camera.resolution=[64, 32]"}).camera.width == 64);
   CHECK(sceneOf(kExample, {"camera.resolution.1=32"}).camera.height == 32);
   CHECK(sceneOf(kExample, {"sun={elevation=3}"}).sun.elevation == radians(3.0));

@@ -28,7 +28,7 @@ TEST_CASE("the documented scene gives the settings it describes") {
   CHECK(scene.sun.diameter == radians(0.533));
   CHECK(std::get<ContinuousSpectrum>(scene.sun.spectrum).source == ContinuousSpectrum::Source::extraterrestrial);
   CHECK_FALSE(scene.sun.visible);
-  CHECK(std::holds_alternative<TabulatedIce>(scene.ice));
+  CHECK(std::holds_alternative<PublishedIndex>(scene.ice.index));
   CHECK(scene.camera.projection == Projection::fisheyeEqualArea);
   CHECK(scene.camera.elevation == radians(90.0));
   CHECK(scene.camera.fieldOfView == radians(180.0));
@@ -89,8 +89,8 @@ TEST_CASE("the spectrum is a name, a wavelength or a list of wavelengths, intege
 }
 
 TEST_CASE("a constant index of ice is a number above 1") {
-  CHECK(std::get<ConstantIce>(sceneWith("ice.index = 1.31").ice).index == 1.31);
-  CHECK(std::get<ConstantIce>(sceneWith("ice.index = 3").ice).index == 3.0);
+  CHECK(std::get<ConstantIndex>(sceneWith("ice.index = 1.31").ice.index).index == 1.31);
+  CHECK(std::get<ConstantIndex>(sceneWith("ice.index = 3").ice.index).index == 3.0);
 }
 
 TEST_CASE("a column's tilt is about the horizontal, its roll free unless given") {
@@ -229,7 +229,7 @@ TEST_CASE("a setting of another method is an error that says what the method has
 }
 
 TEST_CASE("ice may be a mixture of indices") {
-  CHECK(std::get<IceMixture>(sceneWith("ice.index = [1.30, 1.31, 1.32]").ice).indices ==
+  CHECK(std::get<IndexMixture>(sceneWith("ice.index = [1.30, 1.31, 1.32]").ice.index).indices ==
         std::vector<double>{1.30, 1.31, 1.32});
   CHECK(errorsOf(std::string(kPopulation) + "[ice]\nindex = [1.31, 0.9]\n").size() == 1);
   CHECK(errorsOf(std::string(kPopulation) + "[ice]\nindex = []\n").size() == 1);
@@ -241,6 +241,7 @@ TEST_CASE("a cloud has a depth, and light that is scattered once") {
   CHECK(cloudOf("optical_depth = 0.5")->opticalDepth == 0.5);
   CHECK(cloudOf("optical_depth = 2\norders = 1")->opticalDepth == 2.0);
   CHECK(cloudOf("optical_depth = 2\norders = 7")->orders == 7);
+  CHECK_FALSE(cloudOf("optical_depth = 2")->altitude);
   CHECK(cloudOf("optical_depth = 2\norders = \"all\"")->orders == SlabSettings::kAllOrders);
   CHECK(errorsOf("[[population]]\n[cloud]\noptical_depth = 1\norders = 0").at(0).message ==
         "'orders' must be a whole number from 1 to 1000000 or \"all\", not 0");

@@ -25,7 +25,9 @@ TEST_CASE("numbers out of range are shown with the range") {
   CHECK(wrong("[sun]\nelevation = 250") == Lines{"2:13 'elevation' must be a number from -90 to 90 degrees, not 250"});
   CHECK(wrong("[sun]\ndiameter = -1") == Lines{"2:12 'diameter' must be a number from 0 to 10 degrees, not -1"});
   CHECK(wrong("ice.index = 1.0") ==
-        Lines{"1:13 'index' must be \"warren-brandt\", a number above 1 and at most 3 or a list of such, not 1"});
+        Lines{"1:13 'index' must be one of \"warren-brandt\", \"cubic-ice\", \"co2-ice\", \"ammonia-ice\", "
+              "\"salt\", \"water\", a number above 1 and at most 3, a list of such, { sellmeier = […] }, "
+              "{ cauchy = […] } or the name of a .csv file, not 1"});
   CHECK(wrongPopulation("weight = -1") == Lines{"2:10 'weight' must be a number from 0 to 1000000000, not -1"});
   CHECK(wrongPopulation("shape = 'pyramid'\nslope = 90") ==
         Lines{"3:9 'slope' must be a number above 0 and below 90 degrees, not 90"});

@@ -71,6 +71,10 @@ TEST_CASE("keys of the air and of the observer's altitude are errors where a sce
     CHECK(linesWith(said + "\nsky.air = false").empty());
     CHECK(linesWith(said + "\nsky.air = true").empty());
   }
+  const std::string cloud = "cloud = { optical_depth = 1, altitude = 9000 }";
+  CHECK(linesWith(cloud) == std::vector<std::string>{"1:41 'cloud.altitude' changes nothing where there is no air"});
+  CHECK(linesWith(cloud + "\nsky.air = true").empty());
+  CHECK(linesWith("sky.air = true\ncloud = { optical_depth = 1, altitude = -1 }").at(0).ends_with("not -1"));
 }
 
 TEST_CASE("a summary tells the air where there is one") {
@@ -88,4 +92,7 @@ TEST_CASE("what reddens the sun decides what becomes of rays, the ground does no
   CHECK(hashWith("sky = { air = true, ozone = 200 }") != air);
   CHECK(hashWith("sky = { air = true, aerosol = 0.2 }") != air);
   CHECK(hashWith("sky.air = true\nobserver.altitude = 2000") != air);
+  const std::uint64_t cloud = hashWith("sky.air = true\ncloud = { optical_depth = 1, altitude = 9000 }");
+  CHECK(cloud != hashWith("sky.air = true\ncloud.optical_depth = 1"));
+  CHECK(cloud == hashWith("sky.air = true\nobserver.altitude = 2000\ncloud = { optical_depth = 1, altitude = 9000 }"));
 }

@@ -70,6 +70,16 @@ TEST_CASE("every setting that decides a tally changes the hash, each to another 
                                            "sun.spectrum={blackbody=3000}",
                                            "ice.index=1.31",
                                            "ice.index=[1.3, 1.31]",
+                                           "ice.index=cubic-ice",
+                                           "ice.index=salt",
+                                           "ice.index={sellmeier=[[0.7, 0.01]]}",
+                                           "ice.index={sellmeier=[[0.7, 0.01]], constant=1.1}",
+                                           "ice.index={sellmeier=[[0.7, 0.02]]}",
+                                           "ice.index={cauchy=[1.3, 0.003]}",
+                                           "ice.index={cauchy=[1.3, 0.004]}",
+                                           "ice.index={table=[[400, 1.32], [700, 1.31]]}",
+                                           "ice.index={table=[[400, 1.32], [700, 1.3]]}",
+                                           "ice.index={table=[[400, 1.32, 0], [700, 1.31, 0]]}",
                                            "population.plates.weight=2",
                                            "population.plates.aspect=0.3",
                                            "population.plates.aspect={normal=[0.2, 0.01]}",
@@ -110,6 +120,28 @@ TEST_CASE("every setting that decides a tally changes the hash, each to another 
     if (override.ends_with("orientation=random")) all = {"population.plates.tilt=", override};
     CHECK(hashes.insert(hash(kScene, all)).second);
   }
+}
+
+TEST_CASE("what is not ideal about crystals changes the hash, and their size where it matters") {
+  const std::vector<std::string> sized{"population.plates.size=30", "population.pyramids.size=30",
+                                       "population.plates.diffraction=false", "population.pyramids.diffraction=false"};
+  const auto with = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> all = sized;
+    all.insert(all.end(), more.begin(), more.end());
+    return hash(kScene, all);
+  };
+  CHECK(with({}) == hash(kScene));
+  CHECK(with({"ice.absorption=false"}) == hash(kScene));
+  std::set<std::uint64_t> hashes{with({})};
+  for (const std::vector<std::string>& more : std::vector<std::vector<std::string>>{
+           {"population.plates.distortion=0.5"},
+           {"population.plates.diffraction=true"},
+           {"population.plates.diffraction=true", "population.plates.size=31"},
+           {"population.plates.diffraction=true", "population.plates.size={uniform=[30, 31]}"},
+           {"ice.absorption=true"},
+           {"ice.absorption=1e-6"},
+           {"ice.absorption=1e-6", "population.plates.size=31"}})
+    CHECK(hashes.insert(with(more)).second);
 }
 
 TEST_CASE("maps and profiles have no camera and no symmetry in their hash") {

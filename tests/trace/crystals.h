@@ -27,7 +27,7 @@ inline Cloud simpleCloud(const std::vector<PopulationSettings>& populations, dou
   sun.elevation = sunElevation;
   sun.diameter = 0.0;
   sun.spectrum = MonochromaticSpectrum{550.0};
-  return Cloud(sun, ConstantIce{index}, populations);
+  return Cloud(sun, ConstantIndex{index}, populations);
 }
 
 /// An engine for one mesh.

@@ -26,7 +26,7 @@ inline CameraSettings wholeSphere(int width = 36) {
 inline Cloud sunlit(const std::vector<PopulationSettings>& populations, double sunElevation = radians(20.0)) {
   SunSettings sun;
   sun.elevation = sunElevation;
-  return Cloud(sun, TabulatedIce{}, populations);
+  return Cloud(sun, PublishedIndex{}, populations);
 }
 
 inline PopulationSettings plates() { return prismPopulation(0.3, AxisOrientation{Normal{0.0, radians(4.0)}}); }

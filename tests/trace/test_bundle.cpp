@@ -17,7 +17,7 @@ Cloud cloudUnder(const SpectrumSettings& spectrum) {
   SunSettings sun;
   sun.spectrum = spectrum;
   const std::vector populations{prismPopulation(1.0)};
-  return Cloud(sun, TabulatedIce{}, populations);
+  return Cloud(sun, PublishedIndex{}, populations);
 }
 
 struct Moments {

@@ -12,6 +12,7 @@
 
 #include "crystal/mesh/mesh_from_obj.h"
 #include "crystal/objs.h"
+#include "crystal/shapes/rosette.h"
 #include "random_stream.h"
 
 using namespace parhelion;
@@ -119,13 +120,17 @@ void compare(const CrystalMesh& mesh, int rays) {
 TEST_CASE(
     "a crystal that is not convex has the same face sequences as by brute force in double precision, but within "
     "2e-6 of an edge") {
-  compare(hollowPrism(1.5, {0.4, 0.8}, {0.6, 0.5}), 60'000);
-  compare(hollowPrism(0.2, {0.9, 0.95}, {}), 60'000);
+  compare(prismWithEnds(1.5, {{0.4, 0.8}}, {{0.6, 0.5}}), 60'000);
+  compare(prismWithEnds(0.2, {{0.9, 0.95}}, {}), 60'000);
   compare(meshFromObj(halvesOf(1.0, 0.01)), 60'000);
+  compare(prismWithEnds(1.5, {{}, {2.5, 0.1}}, {{0.4, 0.7}, {}}), 60'000);
+  compare(notchedPrism(0.3, {0.6, 0.4}), 60'000);
+  compare(meshOf(RosetteSettings{6, 0.7, radians(28.0), 0.0}), 60'000);
+  compare(meshOf(RosetteSettings{4, 0.6, radians(35.0), 0.4}), 60'000);
 }
 
 TEST_CASE("faces on the hull are those that light which leaves them has left for good") {
-  const CrystalMesh mesh = hollowPrism(1.5, {0.4, 0.8}, {0.4, 0.8});
+  const CrystalMesh mesh = prismWithEnds(1.5, {{0.4, 0.8}}, {{0.4, 0.8}});
   const EmbreeDevice device;
   const ConcaveCrystal crystal(device, mesh);
   for (int f = 0; f < static_cast<int>(mesh.faces().size()); ++f)

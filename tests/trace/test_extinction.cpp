@@ -22,7 +22,7 @@ PopulationSettings prisms(double aspect, const OrientationSettings& orientation)
 Extinction extinctionOf(const std::vector<PopulationSettings>& populations) {
   SunSettings sun;
   sun.spectrum = MonochromaticSpectrum{};
-  return {sun, ConstantIce{1.31}, populations};
+  return {sun, ConstantIndex{1.31}, populations};
 }
 
 Vec3 at(double azimuth, double elevation) { return skyDirection(radians(azimuth), radians(elevation)); }

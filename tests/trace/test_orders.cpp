@@ -2,6 +2,7 @@
 // Light that is scattered more than once in a slab: fluxes, energy, order sums.
 #include "trace/trace_orders.h"
 
+#include <atomic>
 #include <cmath>
 
 #include <doctest/doctest.h>
@@ -24,12 +25,40 @@ class NoFilm : public Film {
   void merge(Film&) override {}
 };
 
+/// Adds up what is deposited above and below the horizon times the sine of its elevation, and how much of it comes from
+/// within 2 degrees of the horizon, with the squares.
+class FluxFilm : public Film {
+ public:
+  int add(const TracedRays& traced) override {
+    for (int i = 0; i < traced.exits.count; ++i) {
+      const auto exit = static_cast<std::size_t>(i);
+      if (traced.exits.undeviated[exit] != 0.0) continue;
+      const double z = traced.exits.lightDir(i).z, light = traced.exits.energy[exit];
+      (z > 0.0 ? up : down) += light * std::abs(z);
+      if (std::abs(z) > std::sin(radians(2.0))) continue;
+      level += light;
+      squares += light * light;
+    }
+    return 0;
+  }
+  std::unique_ptr<Film> forThread() override { return std::make_unique<FluxFilm>(); }
+  void merge(Film& other) override {
+    const auto& film = dynamic_cast<FluxFilm&>(other);
+    up += film.up;
+    down += film.down;
+    level += film.level;
+    squares += film.squares;
+  }
+
+  double up = 0.0, down = 0.0, level = 0.0, squares = 0.0;
+};
+
 SlabContents under(double elevation) {
   SlabContents contents;
   contents.sun.elevation = radians(elevation);
   contents.sun.diameter = 0.0;
   contents.sun.spectrum = MonochromaticSpectrum{550.0};
-  contents.ice = ConstantIce{1.31};
+  contents.ice = ConstantIndex{1.31};
   return contents;
 }
 
@@ -114,6 +143,63 @@ TEST_CASE("what falls on a cloud leaves it above or below, order by order, to 1e
     }
 }
 
+TEST_CASE("what is deposited times the sine of its elevation is what leaves the cloud, above and below") {
+  SlabContents mixed = crystalsUnder(25.0, {prismPopulation(0.2, AxisOrientation{Normal{0.0, radians(2.0)}})});
+  mixed.hazes.push_back({"haze", 0.5, HenyeyGreenstein{0.8}});
+  const std::vector<std::string> all{mixed.populations[0].name, "haze"}, crystals{mixed.populations[0].name};
+  for (const SlabSettings& slab : {SlabSettings{1.0, kAll}, SlabSettings{0.2, 3},
+                                   SlabSettings{2.0, kAll, {{all, 0.5}, {crystals, 1.0}, {{"haze"}, 0.5}}}}) {
+    CAPTURE(slab.opticalDepth);
+    CAPTURE(slab.layers.size());
+    SampleMean up, down;
+    for (int run = 0; run < 16; ++run) {
+      FluxFilm film;
+      const OrderLedger energy = walksThrough(mixed, slab, 6000, film, 3 + run).energy;
+      const auto more = [](const auto& orders) {
+        double sum = 0.0;
+        for (std::size_t k = 1; k < orders.size(); ++k) sum += orders[k].value();
+        return sum;
+      };
+      up.add((film.up - more(energy.above)) / energy.in.value());
+      down.add((film.down - more(energy.below)) / energy.in.value());
+    }
+    for (const SampleMean& difference : {up, down}) {
+      CHECK(std::abs(difference.mean()) < kSigmas * difference.standardError());
+      CHECK(difference.standardError() < 0.002);
+    }
+  }
+}
+
+TEST_CASE("walks that are stopped leave a whole account of those that were done") {
+  const SlabContents haze = hazeUnder(25.0, 0.5);
+  const Extinction extinction(haze.sun, haze.ice, haze.populations, haze.hazes);
+  const SlabSettings slab{1.0, kAll};
+  const SlabStack stack(extinction, haze.populations, haze.hazes, slab);
+  const ManyOrders orders(haze, slab.orders, stack, Engine::automatic);
+  std::atomic<bool> stop = true;
+  TraceControl control;
+  control.stop = &stop;
+  std::uint64_t told = 0;
+  control.onProgress = [&](std::uint64_t done, double) { told = done; };
+  FluxFilm film;
+  const OrderReport report = traceOrders(orders, 50'000, {}, {}, film, control);
+  CHECK(report.interrupted);
+  CHECK(report.walks > 0);
+  CHECK(report.walks < 50'000);
+  CHECK(told == report.walks);
+  CHECK(report.energy.in.value() == doctest::Approx(static_cast<double>(report.walks)).epsilon(1e-9));
+  CHECK(std::abs(report.energy.imbalance()) < 1e-9);
+  stop = false;
+  CHECK_FALSE(traceOrders(orders, 50'000, {}, {}, film, control).interrupted);
+}
+
+TEST_CASE("light along the horizon comes in many small deposits, not in few large ones") {
+  FluxFilm film;
+  walksThrough(hazeUnder(25.0, 0.0), {1.0, kAll}, 20'000, film);
+  // The number of equal deposits that would scatter as much.
+  CHECK(film.level * film.level / film.squares > 1000.0);
+}
+
 TEST_CASE("the direct beam of random columns at depth 1 and sun 20 is 0.108") {
   const OrderLedger energy = energyOf(crystalsUnder(20.0, {prismPopulation(1.0)}), {1.0, 2}, 1000);
   CHECK(energy.direct.value() / energy.in.value() == doctest::Approx(0.1084).epsilon(5e-3));
@@ -153,4 +239,19 @@ TEST_CASE("of two layers the upper one sends more light up than it does as the l
     CHECK(std::abs(lower.imbalance()) < 1e-9);
     CHECK(upper.direct.value() == doctest::Approx(lower.direct.value()).epsilon(1e-9));
   }
+}
+
+TEST_CASE("crystals that absorb take light at every scattering, and the energy of all walks closes") {
+  SlabContents contents = crystalsUnder(30.0, {prismPopulation(1.0)});
+  contents.hazes.push_back({"haze", 1e-3, HenyeyGreenstein{0.8}});
+  contents.populations[0].size = FixedValue{200.0};
+  contents.ice.absorbs = true;
+  contents.ice.k = 1e-4;
+  const OrderLedger energy = energyOf(contents, {2.0, kAll, {}}, 20'000);
+  CHECK(std::abs(energy.imbalance()) < 1e-9);
+  CHECK(energy.absorbed.value() > 0.1 * energy.in.value());
+  contents.ice.k = 0.0;
+  const OrderLedger bright = energyOf(contents, {2.0, kAll, {}}, 20'000);
+  CHECK(bright.absorbed.value() == 0.0);
+  CHECK(bright.reflected() > energy.reflected());
 }

@@ -108,7 +108,7 @@ Cloud manyKinds(const SpectrumSettings& spectrum) {
   SunSettings sun;
   sun.spectrum = spectrum;
   const std::vector populations{plates(), columns, pyramids(0.9, 0.2)};
-  return Cloud(sun, TabulatedIce{}, populations);
+  return Cloud(sun, PublishedIndex{}, populations);
 }
 
 /// Bundles of one, two and three rays.

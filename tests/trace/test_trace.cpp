@@ -21,14 +21,14 @@ Cloud richCloud() {
   PopulationSettings plates = prismPopulation(0.2, plate), free = prismPopulation(1.0);
   plates.shape = PrismSettings{Normal{0.2, 0.05}};
   const std::vector populations{plates, free};
-  return Cloud(SunSettings{}, TabulatedIce{}, populations);
+  return Cloud(SunSettings{}, PublishedIndex{}, populations);
 }
 
 /// Level plates under the sun with its disc and spectrum: much of the sky stays dark.
 Cloud sunlit() {
   AxisOrientation level;
   const std::vector populations{prismPopulation(0.2, level)};
-  return Cloud(SunSettings{}, TabulatedIce{}, populations);
+  return Cloud(SunSettings{}, PublishedIndex{}, populations);
 }
 
 Tally emptyTally(const Cloud& cloud) {

@@ -78,7 +78,7 @@ Cloud manyKinds(const SpectrumSettings& spectrum) {
                                               {"pyramids", 0.5, PyramidSettings{0.4, 0.5, 0.8}, RandomOrientation{}}};
   SunSettings sun;
   sun.spectrum = spectrum;
-  return Cloud(sun, TabulatedIce{}, kinds);
+  return Cloud(sun, PublishedIndex{}, kinds);
 }
 
 /// Where the first ray differs, or nothing.

@@ -32,15 +32,15 @@ struct Plane {
 
 class Faces {
  public:
-  explicit Faces(const ObjMesh& mesh) : mesh_(mesh), size_(sizeOf(mesh.vertices)) {
+  Faces(const ObjMesh& mesh, OneFace rule) : mesh_(mesh), rule_(rule), size_(sizeOf(mesh.vertices)) {
     requireClosed(mesh_);
     const std::vector<MeshTriangle> given = triangulate(mesh_);
     requireNoCrossing(mesh_, given);
     requireOutward(mesh_, given);
-    group();
+    rule == OneFace::byPlane ? group() : groupByNumber();
     for (Plane& plane : planes_) fit(plane);
     makeParallel();
-    number();
+    if (rule == OneFace::byPlane) number();
     flatten();
     triangles_ = triangulate(mesh_);
   }
@@ -83,6 +83,15 @@ class Faces {
     }
     for (Plane& plane : planes_) std::ranges::sort(plane.polygons);
     std::ranges::sort(planes_, {}, [](const Plane& plane) { return plane.polygons.front(); });
+  }
+
+  void groupByNumber() {
+    for (int p = 0; p < static_cast<int>(mesh_.polygons.size()); ++p) {
+      const int number = mesh_.polygons[static_cast<std::size_t>(p)].number.value();
+      auto plane = std::ranges::find(planes_, number, &Plane::number);
+      if (plane == planes_.end()) plane = planes_.insert(plane, {Vec3(0.0), 0.0, {}, number});
+      plane->polygons.push_back(p);
+    }
   }
 
   Vec3 place(int vertex) const { return mesh_.vertices[vertex]; }
@@ -174,14 +183,15 @@ class Faces {
   }
 
   bool isConvex() const {
+    const double slack = rule_ == OneFace::byPlane ? 2.0 * kFlat : 1e-12;
     return std::ranges::all_of(planes_, [&](const Plane& plane) {
-      return std::ranges::all_of(mesh_.vertices, [&](const Vec3& v) {
-        return glm::dot(plane.normal, v) - plane.offset <= 2.0 * kFlat * size_;
-      });
+      return std::ranges::all_of(
+          mesh_.vertices, [&](const Vec3& v) { return glm::dot(plane.normal, v) - plane.offset <= slack * size_; });
     });
   }
 
   ObjMesh mesh_;
+  OneFace rule_;
   double size_;
   std::vector<Plane> planes_;
   std::vector<MeshTriangle> triangles_;
@@ -189,6 +199,6 @@ class Faces {
 
 }  // namespace
 
-CrystalMesh meshFromObj(const ObjMesh& mesh) { return Faces(mesh).mesh(); }
+CrystalMesh meshFromObj(const ObjMesh& mesh, OneFace rule) { return Faces(mesh, rule).mesh(); }
 
 }  // namespace parhelion

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 #include <stdexcept>
 #include <string>
 
@@ -12,7 +11,7 @@ namespace parhelion {
 namespace {
 
 /// Faces of a mesh as bits.
-using FaceBits = std::uint64_t;
+using FaceBits = std::bitset<kMostPatternFaces>;
 
 /// A place of one image of a pattern's chain.
 struct Step {
@@ -41,7 +40,7 @@ class Builder {
       countedHits_ = std::max(countedHits_, pattern.fewestHits - 1);
       if (pattern.mostHits <= kMostPatternHits) countedHits_ = std::max(countedHits_, pattern.mostHits);
       // Different isometries may have the same images of what a pattern names.
-      std::set<std::vector<FaceBits>> known;
+      std::vector<std::vector<FaceBits>> known;
       for (const std::vector<int>& images : patterns[p].images) addImage(p, images, known);
     }
   }
@@ -49,11 +48,13 @@ class Builder {
   const std::vector<Step>& steps() const { return steps_; }
 
   Met after(const Met& met, int face, bool isStart) const {
-    const FaceBits bit = face < kMostPatternFaces ? FaceBits{1} << face : 0;
+    const auto has = [face](const FaceBits& faces) {
+      return face < kMostPatternFaces && faces.test(static_cast<std::size_t>(face));
+    };
     Met next;
     next.hits = std::min(met.hits + 1, countedHits_ + 1);
     const auto enter = [&](int step) {
-      if (isStart ? steps_[step].asFirst & bit : steps_[step].faces & bit) next.steps.push_back(step);
+      if (has(isStart ? steps_[step].asFirst : steps_[step].faces)) next.steps.push_back(step);
     };
     if (isStart)
       for (const int step : first_) enter(step);
@@ -63,7 +64,7 @@ class Builder {
     std::ranges::sort(next.steps);
     next.steps.erase(std::unique(next.steps.begin(), next.steps.end()), next.steps.end());
     for (const int step : next.steps)
-      if (steps_[step].asLast != 0 && steps_[step].asLast != steps_[step].faces) next.face = face;
+      if (steps_[step].asLast.any() && steps_[step].asLast != steps_[step].faces) next.face = face;
     return next;
   }
 
@@ -71,8 +72,8 @@ class Builder {
     PathAutomaton::Patterns taken;
     for (const int step : met.steps) {
       const Step& s = steps_[step];
-      if (s.asLast != 0 && (met.face < 0 || s.asLast & FaceBits{1} << met.face) && counts(s.pattern, met.hits))
-        taken.set(static_cast<std::size_t>(s.pattern));
+      const bool mayEnd = s.asLast.any() && (met.face < 0 || s.asLast.test(static_cast<std::size_t>(met.face)));
+      if (mayEnd && counts(s.pattern, met.hits)) taken.set(static_cast<std::size_t>(s.pattern));
     }
     for (std::size_t p = 0; p < patterns_.size(); ++p)
       if (patterns_[p].pattern->isInverted) taken.flip(p);
@@ -86,23 +87,24 @@ class Builder {
   }
 
   FaceBits imageOf(const FaceChoice& choice, const std::vector<int>& images) const {
-    FaceBits bits = 0;
+    FaceBits bits;
     for (std::size_t i = 0; i < numbers_.size(); ++i)
-      if (choice.has(numbers_[i])) bits |= FaceBits{1} << images[i];
+      if (choice.has(numbers_[i])) bits.set(static_cast<std::size_t>(images[i]));
     return bits;
   }
 
-  void addImage(int p, const std::vector<int>& images, std::set<std::vector<FaceBits>>& known) {
+  void addImage(int p, const std::vector<int>& images, std::vector<std::vector<FaceBits>>& known) {
     const PathPattern& pattern = *patterns_[p].pattern;
     const FaceBits entry = imageOf(pattern.entry, images), exit = imageOf(pattern.exit, images);
     std::vector<FaceBits> faces{entry, exit};
     for (const PathPattern::Place& place : pattern.places) faces.push_back(imageOf(place.faces, images));
-    if (!known.insert(faces).second) return;
+    if (std::ranges::find(known, faces) != known.end()) return;
+    known.push_back(faces);
     const int base = static_cast<int>(steps_.size());
     for (std::size_t i = 0; i < pattern.places.size(); ++i) {
       const PathPattern::Place& place = pattern.places[i];
       const FaceBits own = faces[i + 2];
-      Step step{own, own & entry, place.isLast ? own & exit : 0, {}, p};
+      Step step{own, own & entry, place.isLast ? own & exit : FaceBits(), {}, p};
       for (const int next : place.next) step.next.push_back(base + next);
       steps_.push_back(std::move(step));
     }

@@ -17,7 +17,7 @@ struct SymmetricPattern {
 };
 
 /// The most faces of crystals whose paths patterns may speak of; others have no patterns.
-inline constexpr int kMostPatternFaces = 64;
+inline constexpr int kMostPatternFaces = 128;
 
 /// Tells which of some patterns take a raypath, face by face: a number stands for all that was met so far, and one
 /// look into a table makes the next one. Populations and stances of the patterns are not looked at.

@@ -21,10 +21,13 @@ CrystalMesh hexagonalPrism(double aspect) {
 CrystalMesh meshOf(const PrismSettings& prism) {
   const auto* fixed = std::get_if<FixedValue>(&prism.aspect);
   const double aspect = fixed ? fixed->value : 1.0;
-  if (prism.isHollow()) {
+  if (!prism.isPlain()) {
     if (!fixed || !isHexagonal(prism))
-      throw std::invalid_argument("a prism with pits in its ends has regular sides and one aspect");
-    return hollowPrism(aspect, prism.upperCavity, prism.lowerCavity);
+      throw std::invalid_argument("a prism with pits, caps or notches has regular sides and one aspect");
+    if (!prism.notch.isThere()) return prismWithEnds(aspect, prism.upper, prism.lower);
+    if (prism.upper.isThere() || prism.lower.isThere())
+      throw std::invalid_argument("a prism with notches has neither pits nor caps");
+    return notchedPrism(aspect, prism.notch);
   }
   if (isHexagonal(prism)) return hexagonalPrism(aspect);
   std::vector<FacePlane> planes = endPlanes(aspect, -aspect);
