@@ -86,9 +86,6 @@ void checkConcave(const toml::table& root, const Scene& scene, Complaints& compl
     complaints.add(placeOf(engine->source(), complaints),
                    "the planes follow light in convex crystals of up to 32 faces, not in those of '" + odd->name + "'",
                    "leave 'engine' out, and Embree follows it");
-  if (const toml::node* cloud = root["cloud"].node(); cloud && scene.cloud)
-    complaints.add(placeOf(cloud->source(), complaints),
-                   "a [cloud] has convex crystals alone, which those of '" + odd->name + "' are not");
 }
 
 /// Complains about light that is not the sun's where the air scatters it.

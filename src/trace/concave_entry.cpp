@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <vector>
 
 #include <glm/geometric.hpp>
 
@@ -12,31 +11,23 @@
 
 namespace parhelion {
 
-namespace {
-
-/// What of a crystal looks toward the light.
-struct LitFaces {
-  LitFaces(const ConcaveCrystal& crystal, const Vec3& lightDir) {
-    for (const Face& face : crystal.mesh().faces()) {
-      const double cosine = -glm::dot(face.normal, lightDir);
-      total += cosine > 0.0 ? cosine * face.area : 0.0;
-      upTo.push_back(total);
-    }
+LitSide::LitSide(const ConcaveCrystal& crystal, const Vec3& lightDir) : crystal_(crystal), lightDir_(lightDir) {
+  for (const Face& face : crystal.mesh().faces()) {
+    const double cosine = -glm::dot(face.normal, lightDir);
+    total_ += cosine > 0.0 ? cosine * face.area : 0.0;
+    upTo_.push_back(total_);
   }
-
-  std::vector<double> upTo;  // shadows of the faces up to each
-  double total = 0.0;        // of all, each by itself
-};
+}
 
 /// The point that three numbers in (0, 1) choose, uniform over the shadows of all lit faces.
-EntryPoint pointOf(const ConcaveCrystal& crystal, const LitFaces& lit, double u, double u1, double u2) {
-  const auto found = std::ranges::lower_bound(lit.upTo, u * lit.total);
-  const int face = static_cast<int>(
-      std::min<std::ptrdiff_t>(found - lit.upTo.begin(), static_cast<std::ptrdiff_t>(lit.upTo.size()) - 1));
-  double left = u1 * crystal.mesh().faces()[face].area;
-  int at = crystal.firstTriangle(face);
-  const auto& triangles = crystal.triangles();
-  while (at + 1 < crystal.firstTriangle(face + 1) && left > triangles[at].area) left -= triangles[at++].area;
+EntryPoint LitSide::pointAt(double u, double u1, double u2) const {
+  const auto found = std::ranges::lower_bound(upTo_, u * total_);
+  const int face =
+      static_cast<int>(std::min<std::ptrdiff_t>(found - upTo_.begin(), static_cast<std::ptrdiff_t>(upTo_.size()) - 1));
+  double left = u1 * crystal_.mesh().faces()[face].area;
+  int at = crystal_.firstTriangle(face);
+  const auto& triangles = crystal_.triangles();
+  while (at + 1 < crystal_.firstTriangle(face + 1) && left > triangles[at].area) left -= triangles[at++].area;
   const ConcaveCrystal::Triangle& triangle = triangles[at];
   // What is left of u1 is uniform again; the square root makes the triangle uniform.
   const double s = std::sqrt(std::min(1.0, left / triangle.area));
@@ -44,19 +35,25 @@ EntryPoint pointOf(const ConcaveCrystal& crystal, const LitFaces& lit, double u,
 }
 
 /// Whether light comes to a point of a lit face without meeting the crystal before.
-bool isFirst(const ConcaveCrystal& crystal, const EntryPoint& entry, const Vec3& lightDir) {
-  return crystal.isOnHull(entry.face) || !crystal.nextFace(entry.point, -lightDir, entry.face, Side::outside);
+bool LitSide::isFirst(const EntryPoint& point) const {
+  return crystal_.isOnHull(point.face) || !crystal_.nextFace(point.point, -lightDir_, point.face, Side::outside);
 }
 
-/// The shadows of all lit faces over the number of points that it takes to find one that light meets first: the mean of
-/// the inverse is that of the silhouette's. `u` starts a sequence of numbers.
-double silhouette(const ConcaveCrystal& crystal, const LitFaces& lit, const Vec3& lightDir, double u1, double u2) {
+std::optional<EntryPoint> LitSide::entry(double u, double u1, double u2) const {
+  const EntryPoint point = pointAt(u, u1, u2);
+  return isFirst(point) ? std::optional(point) : std::nullopt;
+}
+
+/// All lit faces over the number of points that it takes to find one that light meets first.
+double LitSide::silhouette(double u1, double u2) const {
   auto random = pathRandom<double>(std::bit_cast<std::uint64_t>(u1), std::bit_cast<std::uint64_t>(u2));
   for (int tries = 1;; ++tries) {
     const double a = random.next(), b = random.next(), c = random.next();
-    if (isFirst(crystal, pointOf(crystal, lit, a, b, c), lightDir)) return lit.total / tries;
+    if (entry(a, b, c)) return total_ / tries;
   }
 }
+
+namespace {
 
 void put(RayQueue::Row* rows, int place, const Triple<double>& v) {
   rows[0][place] = v.x;
@@ -78,10 +75,11 @@ void proposeConcave(const ConcaveCrystal& crystal, const IncidenceTable& table, 
     const Triple<double> world = -toSun;
     const Vec3 light(dot(axes.x, world), dot(axes.y, world), dot(axes.z, world));
 
-    const LitFaces lit(crystal, light);
-    const double ratio = lit.total / surface / table.bound;
-    const EntryPoint entry = pointOf(crystal, lit, u(kEntryFace), u(kEntryS), u(kEntryT));
-    if ((table.rejects && !(u(kAcceptance) < ratio)) || !isFirst(crystal, entry, light)) {
+    const LitSide lit(crystal, light);
+    const double ratio = lit.total() / surface / table.bound;
+    const bool isRejected = table.rejects && !(u(kAcceptance) < ratio);
+    const auto entry = isRejected ? std::nullopt : lit.entry(u(kEntryFace), u(kEntryS), u(kEntryT));
+    if (!entry) {
       proposals.rejected[proposals.rejectedCount++] = proposals.bundle[i];
       continue;
     }
@@ -92,10 +90,10 @@ void proposeConcave(const ConcaveCrystal& crystal, const IncidenceTable& table, 
     put(queue.crystalZ, place, axes.z);
     put(queue.lightWorld, place, world);
     put(queue.lightCrystal, place, {light.x, light.y, light.z});
-    put(queue.point, place, {entry.point.x, entry.point.y, entry.point.z});
-    queue.face[place] = entry.face;
+    put(queue.point, place, {entry->point.x, entry->point.y, entry->point.z});
+    queue.face[place] = entry->face;
     queue.stretch[place] = 1.0;
-    queue.shadow[place] = silhouette(crystal, lit, light, u(kEntryS), u(kEntryT));
+    queue.shadow[place] = lit.silhouette(u(kEntryS), u(kEntryT));
     queue.weight[place] = table.lightPerRay * (table.rejects ? std::max(1.0, ratio) : ratio);
   }
 }

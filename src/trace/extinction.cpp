@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <variant>
 
@@ -12,6 +13,7 @@
 #include "parallel/loops.h"
 #include "trace/drawn_crystal.h"
 #include "trace/scatter_profile.h"
+#include "trace/silhouettes.h"
 #include "trace/trace.h"
 
 namespace parhelion {
@@ -29,19 +31,47 @@ bool hasFreeAzimuths(const PopulationSettings& population) {
   return !axis || isFree(axis->azimuth, 2.0 * kPi);
 }
 
+/// The shadows of a crystal, at any stretch.
+class CrystalShadow {
+ public:
+  explicit CrystalShadow(const CrystalMesh& mesh) : faces_(mesh) {
+    if (!mesh.isConvex()) silhouettes_.emplace(mesh);
+  }
+
+  /// On light of a direction (unit, crystal frame), over the crystal's surface.
+  double at(double stretch, const Triple<double>& light) const {
+    if (silhouettes_) return silhouettes_->at({light.x, light.y, light.z});
+    return castShadows(faces_, stretch, light).total / (faces_.surfaceAcrossC + faces_.surfaceAlongC * stretch);
+  }
+
+  /// The mean over all directions.
+  double mean() const { return silhouettes_ ? silhouettes_->mean() : kRandomShadow; }
+
+ private:
+  FaceTable faces_;
+  std::optional<Silhouettes> silhouettes_;  // of crystals that are not convex
+};
+
 /// A population's crystal; where shapes are spread, so many that they stand for all.
-std::vector<FaceTable> shapesOf(const Population& population) {
+std::vector<CrystalShadow> shapesOf(const Population& population) {
   constexpr std::uint64_t kShapes = 61;
-  std::vector<FaceTable> shapes;
+  std::vector<CrystalShadow> shapes;
   if (!population.isSpread()) shapes.emplace_back(population.mesh());
   for (std::uint64_t k = 0; population.isSpread() && k < kShapes; ++k)
-    shapes.push_back(DrawnCrystal(population, 0, k).faces);
+    shapes.emplace_back(DrawnCrystal(population, 0, k).mesh);
   return shapes;
+}
+
+/// The mean shadow of crystals in any orientation, per surface.
+double meanShadow(std::span<const CrystalShadow> shapes) {
+  double sum = 0.0;
+  for (const CrystalShadow& shape : shapes) sum += shape.mean();
+  return sum / static_cast<double>(shapes.size());
 }
 
 /// The mean shadow of crystals per surface, by points that fill the unit cube evenly: an additive recurrence with the
 /// roots of x^5 = x + 1 (Roberts 2018).
-double meanShadow(const Population& population, std::span<const FaceTable> shapes, const Vec3& toLight) {
+double meanShadow(const Population& population, std::span<const CrystalShadow> shapes, const Vec3& toLight) {
   constexpr double kRoot = 1.1673039782614187;
   double step[4], power = 1.0;
   for (double& s : step) s = power /= kRoot;
@@ -52,14 +82,14 @@ double meanShadow(const Population& population, std::span<const FaceTable> shape
       const double place = 0.5 + k * step[d];
       u[d] = std::clamp(place - std::floor(place), 1e-9, 1.0 - 1e-9);
     }
-    const FaceTable& faces = shapes[static_cast<std::size_t>(k) % shapes.size()];
+    const CrystalShadow& shape = shapes[static_cast<std::size_t>(k) % shapes.size()];
     const auto axes = population.orientationQuantile().at(u[0], u[1], u[2]);
     const double stretch = population.stretch() ? population.stretch()->at(u[3]) : 1.0;
     const auto along = [&](const Triple<double>& axis) {
       return -(axis.x * toLight.x + axis.y * toLight.y + axis.z * toLight.z);
     };
     const Triple<double> light{along(axes.x), along(axes.y), along(axes.z)};
-    sum += castShadows(faces, stretch, light).total / (faces.surfaceAcrossC + faces.surfaceAlongC * stretch);
+    sum += shape.at(stretch, light);
   }
   return sum / kCrystals;
 }
@@ -99,12 +129,12 @@ Extinction::Kind Extinction::kindOf(const SunSettings& sun, const IceSettings& i
                                     std::span<const PopulationSettings> populations, std::size_t number) {
   const PopulationSettings& settings = populations[number];
   const Population population(settings);
-  const std::vector<FaceTable> shapes = shapesOf(population);
+  const std::vector<CrystalShadow> shapes = shapesOf(population);
   const int columns = hasFreeAzimuths(settings) ? 1 : kAzimuths;
   const bool isRandom = population.isFullyRandom();
   Kind kind{
       number, population.weight(), {isRandom ? 1 : kShadowRows, columns}, {isRandom ? 1 : kUndeviatedRows, columns}};
-  if (isRandom) kind.shadow[0] = kRandomShadow;
+  if (isRandom) kind.shadow[0] = meanShadow(shapes);
   if (!isRandom)
     forEach(kind.shadow.size(),
             [&](std::size_t k) { kind.shadow[k] = meanShadow(population, shapes, kind.shadow.directionOf(k)); });

@@ -19,8 +19,8 @@ inline constexpr double kRandomShadow = 0.25;
 /// directions more than of light from others.
 ///
 /// Tabulated over half the sky, and linear between; the same for opposite directions. Shadows are right to a
-/// thousandth. What passes undeviated is found by some ten thousand rays for each direction: right to half a hundredth
-/// of all light.
+/// thousandth; those of crystals that are not convex are their silhouettes. What passes undeviated is found by some ten
+/// thousand rays for each direction: right to half a hundredth of all light.
 class Extinction {
  public:
   /// Of crystals as light of that sun's spectrum meets them. In parallel; the same bits for any number of threads.

@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "crystal/entry.h"
 #include "math/portable.h"
 #include "math/rotation.h"
+#include "trace/concave_entry.h"
 #include "trace/flight_places.h"
 
 namespace parhelion {
@@ -66,6 +68,55 @@ class WalkNumbers {
   double second_ = 0.0;
   bool hasSecond_ = false;
 };
+
+namespace {
+
+/// A crystal that light meets: its axes in the world, and the rest as RayQueue has it.
+struct MetCrystal {
+  Triple<double> x, y, z, light, point;
+  double face, stretch, shadow;
+};
+
+/// Where light meets a crystal first that has been drawn in some orientation, for more numbers; none where it is not
+/// taken. It is in proportion to its shadow.
+bool meetFirst(const Cloud& cloud, const ManyOrders::Kind& kind, WalkNumbers& numbers, MetCrystal& met) {
+  const FaceTable& faces = cloud.faces(kind.population);
+  const double surface = faces.surfaceAcrossC + faces.surfaceAlongC * met.stretch;
+  if (const ConcaveCrystal* concave = cloud.concave(kind.population)) {
+    const Vec3 light(met.light.x, met.light.y, met.light.z);
+    const LitSide lit(*concave, light);
+    if (!(numbers.next() * kind.bound * surface < lit.total())) return false;
+    const double u1 = numbers.next(), u2 = numbers.next(), u3 = numbers.next();
+    const auto entry = lit.entry(u1, u2, u3);
+    if (!entry) return false;
+    met.face = entry->face;
+    met.point = {entry->point.x, entry->point.y, entry->point.z};
+    met.shadow = lit.silhouette(u1, u2);
+    return true;
+  }
+  const Shadows<double> shadows = castShadows(faces, met.stretch, met.light);
+  if (!(numbers.next() * kind.bound * surface < shadows.total)) return false;
+  met.face = litFace(faces, shadows, numbers.next());
+  const double u1 = numbers.next(), u2 = numbers.next();
+  met.point = pointOnFace(faces, met.stretch, met.face, u1, u2);
+  met.shadow = shadows.total;
+  return true;
+}
+
+/// A crystal of a kind in the way of light of that direction; none where another one has to be proposed.
+std::optional<MetCrystal> proposedCrystal(const Cloud& cloud, const ManyOrders::Kind& kind, const Vec3& direction,
+                                          WalkNumbers& numbers) {
+  const Population& population = cloud.populations()[static_cast<std::size_t>(kind.population)];
+  const double u1 = numbers.next(), u2 = numbers.next(), u3 = numbers.next();
+  const auto axes = population.orientationQuantile().at(u1, u2, u3);
+  const double stretch = population.stretch() ? population.stretch()->at(numbers.next()) : 1.0;
+  const Triple<double> world{direction.x, direction.y, direction.z};
+  MetCrystal met{axes.x, axes.y, axes.z,  {dot(axes.x, world), dot(axes.y, world), dot(axes.z, world)},
+                 {},     0.0,    stretch, 0.0};
+  return meetFirst(cloud, kind, numbers, met) ? std::optional(met) : std::nullopt;
+}
+
+}  // namespace
 
 OrderWalker::OrderWalker(const ManyOrders& slab, const TraceSettings& settings, const OrderDeposits& deposits,
                          Film& film, const LaneSteps& steps)
@@ -159,33 +210,22 @@ bool OrderWalker::proposeCrystal(const ManyOrders::Kind& kind, std::size_t index
   const auto place = static_cast<std::size_t>(queue.count);
   queue.makeRoom(queue.count + 1);
   if (!kind.isHaze) {
-    const Population& population = slab_.cloud()->populations()[static_cast<std::size_t>(kind.population)];
-    const FaceTable& faces = slab_.cloud()->faces(kind.population);
-    const double u1 = numbers.next(), u2 = numbers.next(), u3 = numbers.next();
-    const auto axes = population.orientationQuantile().at(u1, u2, u3);
-    const double stretch = population.stretch() ? population.stretch()->at(numbers.next()) : 1.0;
-    const Triple<double> world{walk.direction.x, walk.direction.y, walk.direction.z};
-    const Triple<double> light{dot(axes.x, world), dot(axes.y, world), dot(axes.z, world)};
-    const Shadows<double> shadows = castShadows(faces, stretch, light);
-    const double surface = faces.surfaceAcrossC + faces.surfaceAlongC * stretch;
-    if (!(numbers.next() * kind.bound * surface < shadows.total)) return false;
-    const double face = litFace(faces, shadows, numbers.next());
-    const double u4 = numbers.next(), u5 = numbers.next();
-    const Triple<double> point = pointOnFace(faces, stretch, face, u4, u5);
+    const auto crystal = proposedCrystal(*slab_.cloud(), kind, walk.direction, numbers);
+    if (!crystal) return false;
     const auto put = [place](RayQueue::Row* rows, const Triple<double>& v) {
       rows[0][place] = v.x;
       rows[1][place] = v.y;
       rows[2][place] = v.z;
     };
-    put(queue.crystalX, axes.x);
-    put(queue.crystalY, axes.y);
-    put(queue.crystalZ, axes.z);
-    put(queue.lightWorld, world);
-    put(queue.lightCrystal, light);
-    put(queue.point, point);
-    queue.face[place] = face;
-    queue.stretch[place] = stretch;
-    queue.shadow[place] = shadows.total;
+    put(queue.crystalX, crystal->x);
+    put(queue.crystalY, crystal->y);
+    put(queue.crystalZ, crystal->z);
+    put(queue.lightWorld, {walk.direction.x, walk.direction.y, walk.direction.z});
+    put(queue.lightCrystal, crystal->light);
+    put(queue.point, crystal->point);
+    queue.face[place] = crystal->face;
+    queue.stretch[place] = crystal->stretch;
+    queue.shadow[place] = crystal->shadow;
   }
   queue.bundle[place] = bundleOf(walk.number, walk.step);
   queue.weight[place] = 1.0;

@@ -2,10 +2,13 @@
 #pragma once
 
 #include <cmath>
+#include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
-#include "crystal/mesh/obj_text.h"
+#include "crystal/mesh/mesh_from_obj.h"
+#include "crystal/shapes/mesh.h"
 #include "crystal/shapes/prism.h"
 
 namespace parhelion {
@@ -61,6 +64,21 @@ inline ObjMesh joinedHalves(double aspect) {
   obj.polygons.push_back({{12, 13, 14, 15, 16, 17}, 1, 1});
   obj.polygons.push_back({{5, 4, 3, 2, 1, 0}, 1, 2});
   return obj;
+}
+
+/// A shape of that mesh.
+inline MeshSettings meshed(CrystalMesh mesh) { return {"", std::make_shared<const CrystalMesh>(std::move(mesh))}; }
+inline MeshSettings meshed(const ObjMesh& obj) { return meshed(meshFromObj(obj)); }
+
+/// A convex crystal as triangles, which is followed as one that is not.
+inline MeshSettings asTriangles(const CrystalMesh& mesh) {
+  std::vector<FaceTriangles> faces;
+  for (const Face& face : mesh.faces()) {
+    faces.push_back({face.number, face.normal, face.offset, {}});
+    for (std::size_t i = 1; i + 1 < face.vertices.size(); ++i)
+      faces.back().triangles.push_back({face.vertices[0], face.vertices[i], face.vertices[i + 1]});
+  }
+  return meshed(CrystalMesh(mesh.vertices(), faces));
 }
 
 }  // namespace parhelion

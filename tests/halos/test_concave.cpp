@@ -21,20 +21,6 @@ namespace {
 
 constexpr int kConcaveBins = 36;
 
-MeshSettings meshed(CrystalMesh mesh) { return {"", std::make_shared<const CrystalMesh>(std::move(mesh))}; }
-MeshSettings meshed(const ObjMesh& obj) { return meshed(meshFromObj(obj)); }
-
-/// A convex crystal as triangles, which is followed as one that is not.
-MeshSettings asTriangles(const CrystalMesh& mesh) {
-  std::vector<FaceTriangles> faces;
-  for (const Face& face : mesh.faces()) {
-    faces.push_back({face.number, face.normal, face.offset, {}});
-    for (std::size_t i = 1; i + 1 < face.vertices.size(); ++i)
-      faces.back().triangles.push_back({face.vertices[0], face.vertices[i], face.vertices[i + 1]});
-  }
-  return meshed(CrystalMesh(mesh.vertices(), faces));
-}
-
 PrismSettings hollow(double aspect, double depth, double width) {
   PrismSettings prism{FixedValue{aspect}};
   prism.upper.cavity = prism.lower.cavity = {depth, width};

@@ -102,9 +102,18 @@ double errorOf(const Tally& tally) {
 }  // namespace
 
 TEST_CASE("first order by walks is the closed form times single scattering, in every block within 4 sigma") {
-  for (const double depth : {0.1, 2.0}) {
+  const std::string hollow =
+                        "[[population]]\naspect = 1.0\norientation = \"column\"\ntilt = 5\n"
+                        "cavity = { depth = 0.5 }\n",
+                    rosettes = "[[population]]\nshape = \"rosette\"\naspect = 1.0\n";
+  const struct {
+    double depth;
+    std::string populations;
+  } cases[] = {{0.1, kColumns}, {2.0, kColumns}, {1e-3, hollow + rosettes}, {1.0, hollow + rosettes}};
+  for (const auto& [depth, populations] : cases) {
     CAPTURE(depth);
-    const LoadedScene loaded = sceneOf(20.0, depth, "1");
+    CAPTURE(populations);
+    const LoadedScene loaded = sceneOf(20.0, depth, "1", populations);
     const TracedSky traced = traceSky(loaded, cloudOf(loaded.scene));
     const Camera camera(loaded.scene.camera);
     Image closed = plainRadiance(traced.tally.flattened());
@@ -120,6 +129,19 @@ TEST_CASE("first order by walks is the closed form times single scattering, in e
       CHECK(std::abs(a.mean[k] - b.mean[k]) < 4.0 * std::sqrt(a.variance[k] + b.variance[k]) + known);
     }
   }
+}
+
+TEST_CASE("in a cloud of rosettes the light of all orders is that of each of them together") {
+  const std::string rosettes = "[[population]]\nshape = \"rosette\"\naspect = 1.0\n";
+  const LoadedScene loaded = sceneOf(20.0, 1.0, "\"all\"", rosettes);
+  // The same walks, and what of each is deposited from the second and from the third order on.
+  const CameraSettings camera = lookAt(Projection::rectilinear, 40.0, 30.0, 0.0, 20.0, 8, 8);
+  const Tally fromSecond = walk(loaded, 2, 40'000, camera).tally, fromThird = walk(loaded, 3, 40'000, camera).tally;
+  const LoadedScene twice = sceneOf(20.0, 1.0, "2", rosettes);
+  const Tally second = walk(twice, 2, 40'000, camera).tally;
+  const double error = std::hypot(errorOf(fromSecond), std::hypot(errorOf(fromThird), errorOf(second)));
+  CHECK(std::abs(lightOf(fromSecond) - lightOf(fromThird) - lightOf(second)) < 4.0 * error);
+  CHECK(lightOf(fromThird) > 10.0 * errorOf(fromThird));
 }
 
 TEST_CASE("44 degree parhelia begin at twice the azimuth of the parhelia") {

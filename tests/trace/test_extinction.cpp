@@ -6,9 +6,16 @@
 
 #include <doctest/doctest.h>
 
+#include <glm/geometric.hpp>
+
+#include "crystal/objs.h"
+#include "crystals.h"
 #include "math/rotation.h"
+#include "trace/concave_crystal.h"
+#include "trace/silhouettes.h"
 
 using namespace parhelion;
+using namespace parhelion::test;
 
 namespace {
 
@@ -84,4 +91,46 @@ TEST_CASE("crystals of fixed azimuth are met by their own sides, the same from o
   CHECK(along < 0.1 * across);
   CHECK(columns.at(at(-150.0, -0.5)).shadow == doctest::Approx(along).epsilon(1e-9));
   CHECK(columns.at(at(30.0, 20.0)).shadow == doctest::Approx(columns.at(at(-150.0, 20.0)).shadow).epsilon(0.01));
+}
+
+TEST_CASE("crystals that are not convex take light by their silhouettes, as rays cast at them have it") {
+  const CrystalMesh mesh = meshOf(RosetteSettings{6, 1.0});
+  const double surface = mesh.surfaceAcrossC() + mesh.surfaceAlongC();
+  const EmbreeDevice device;
+  const ConcaveCrystal crystal(device, mesh);
+  const Silhouettes silhouettes(mesh);
+  RandomStream random(3, 0, RandomPurpose::path);
+  constexpr int kCast = 100'000, kDirections = 8;
+  const double disc = kPi * mesh.radius() * mesh.radius();
+  for (int k = 0; k < kDirections; ++k) {
+    const Vec3 light = randomDirection(random);
+    const Vec3 side = glm::normalize(glm::cross(light, std::abs(light.z) < 0.9 ? Vec3(0, 0, 1) : Vec3(1, 0, 0)));
+    int met = 0;
+    for (int i = 0; i < kCast; ++i) {
+      const double r = mesh.radius() * std::sqrt(random.next()), turn = 2.0 * kPi * random.next();
+      const Vec3 point =
+          r * (std::cos(turn) * side + std::sin(turn) * glm::cross(light, side)) - 2.0 * mesh.radius() * light;
+      met += crystal.nextFace(point, light, kNoFace, Side::outside).has_value();
+    }
+    const double share = static_cast<double>(met) / kCast;
+    const double error = disc / surface * std::sqrt(share * (1.0 - share) / kCast);
+    CHECK(std::abs(silhouettes.at(light) - disc / surface * share) < 4.0 * error + 1e-3 * silhouettes.at(light));
+  }
+}
+
+TEST_CASE("a convex crystal that is followed as one that is not takes as much light from all directions") {
+  const PyramidSettings pyramid{0.4, 0.7, 0.2};
+  for (const OrientationSettings& orientation :
+       {OrientationSettings(RandomOrientation{}), OrientationSettings(AxisOrientation{Normal{0.0, radians(3.0)}})}) {
+    PopulationSettings own, triangles;
+    own.shape = pyramid;
+    triangles.shape = asTriangles(meshOf(pyramid));
+    own.orientation = triangles.orientation = orientation;
+    const Extinction a = extinctionOf({own}), b = extinctionOf({triangles});
+    CHECK(a.zenithShadow() == doctest::Approx(b.zenithShadow()).epsilon(1e-3));
+    for (const double elevation : {0.0, 2.0, 20.0, 60.0}) {
+      CHECK(a.at(at(0.0, elevation)).shadow == doctest::Approx(b.at(at(0.0, elevation)).shadow).epsilon(1e-3));
+      CHECK(std::abs(a.at(at(0.0, elevation)).undeviated - b.at(at(0.0, elevation)).undeviated) < 0.01);
+    }
+  }
 }

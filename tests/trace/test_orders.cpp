@@ -8,6 +8,7 @@
 #include <doctest/doctest.h>
 
 #include "adding_doubling.h"
+#include "crystal/objs.h"
 #include "crystals.h"
 #include "math/rotation.h"
 #include "statistics.h"
@@ -254,4 +255,49 @@ TEST_CASE("crystals that absorb take light at every scattering, and the energy o
   const OrderLedger bright = energyOf(contents, {2.0, kAll, {}}, 20'000);
   CHECK(bright.absorbed.value() == 0.0);
   CHECK(bright.reflected() > energy.reflected());
+}
+
+TEST_CASE("light that crystals scatter which are not convex leaves the cloud above or below, order by order, to 1e-9") {
+  PrismSettings hollow{FixedValue{1.0}};
+  hollow.upper.cavity = hollow.lower.cavity = {0.5, 0.8};
+  PopulationSettings columns, rosettes;
+  columns.shape = hollow;
+  columns.orientation = AxisOrientation{Normal{0.5 * kPi, radians(2.0)}};
+  rosettes.shape = RosetteSettings{6, 1.0};
+  rosettes.name = "rosettes";
+  for (const int orders : {1, 3, kAll}) {
+    CAPTURE(orders);
+    SlabContents mixed = crystalsUnder(20.0, {columns, rosettes, prismPopulation(1.0)});
+    mixed.hazes.push_back({"haze", 0.5, HenyeyGreenstein{0.8}});
+    const OrderLedger energy = energyOf(mixed, {1.0, orders}, 5000);
+    CHECK(std::abs(energy.imbalance()) < 1e-9);
+    CHECK(energy.cutOff.value() < 1e-3 * energy.in.value());
+    if (orders == kAll) CHECK(energy.leftOut.value() == 0.0);
+    if (orders == 1) CHECK(energy.below[1].value() == 0.0);
+  }
+}
+
+TEST_CASE("a convex crystal that is followed as one that is not scatters alike in a cloud, order by order") {
+  const PyramidSettings pyramid{0.4, 0.7, 0.2};
+  PopulationSettings own, triangles;
+  own.shape = pyramid;
+  triangles.shape = asTriangles(meshOf(pyramid));
+  own.orientation = triangles.orientation = AxisOrientation{Normal{0.0, radians(3.0)}};
+  // Another kind beside it, of which there would be more if bounds or silhouettes were wrong.
+  const PopulationSettings others = prismPopulation(0.1, AxisOrientation{Normal{0.0, radians(1.0)}});
+  SampleMean differences[5];
+  for (int run = 0; run < 8; ++run) {
+    const OrderLedger a = energyOf(crystalsUnder(25.0, {own, others}), {1.0, kAll}, 4000, 3 + run),
+                      b = energyOf(crystalsUnder(25.0, {triangles, others}), {1.0, kAll}, 4000, 103 + run);
+    const double n = a.in.value();
+    for (std::size_t k = 0; k < 2; ++k) {
+      differences[2 * k].add((a.above[k].value() - b.above[k].value()) / n);
+      differences[2 * k + 1].add((a.below[k].value() - b.below[k].value()) / n);
+    }
+    differences[4].add(a.transmitted() - b.transmitted());
+  }
+  for (const SampleMean& difference : differences) {
+    CHECK(std::abs(difference.mean()) < kSigmas * difference.standardError());
+    CHECK(difference.standardError() < 0.005);
+  }
 }
