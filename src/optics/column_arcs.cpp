@@ -136,12 +136,14 @@ void addLateralArcs(HaloForms& forms, const HaloSky& sky) {
 void addColumnHalos(HaloForms& forms, const HaloSky& sky, const HaloMaker& maker) {
   if (maker.hasEnds()) addParhelicCircle(forms, sky, kFamily);
   if (!maker.hasSides()) return;
-  addTangentArcs(forms, sky);
+  if (maker.hasWedge()) addTangentArcs(forms, sky);
   addSubsunAndPillar(forms, sky, kFamily);
-  addCurve(forms, {"subhelic arc", kFamily, true, followLocus(0.0, 2.0 * kPi, twiceReflected(sky, End::none))}, 0.1);
+  if (maker.hasWedge())
+    addCurve(forms, {"subhelic arc", kFamily, true, followLocus(0.0, 2.0 * kPi, twiceReflected(sky, End::none))}, 0.1);
   if (!maker.hasEnds()) return;
   addLateralArcs(forms, sky);
   addPoint(forms, {"anthelion", kFamily, skyDirection(kPi, sky.elevation)});
+  if (!maker.hasWedge()) return;
   addCurve(forms, {"Wegener arc", kFamily, true, followLocus(0.0, kPi, tangentArc(sky, 1.0, End::reflects))}, 0.1);
   addCurve(forms, {"Tricker arc", kFamily, true, followLocus(0.0, 2.0 * kPi, twiceReflected(sky, End::reflects))}, 0.3);
   addCurve(forms, {"diffuse arcs", kFamily, true, diffuseArcs(sky)}, 0.3);

@@ -11,6 +11,8 @@ namespace {
 
 // A normal counts as along or across the c axis in spite of rounding.
 constexpr double kSameWay = 1e-9;
+// Cosines of the angles between faces that differ by less are of the same wedge: half a degree.
+constexpr double kSameWedge = 0.0075;
 
 }  // namespace
 
@@ -19,6 +21,15 @@ bool isSide(const Vec3& normal) { return std::abs(normal.z) < kSameWay; }
 
 bool HaloMaker::hasEnds() const { return std::any_of(faces.begin(), faces.end(), isEnd); }
 bool HaloMaker::hasSides() const { return std::any_of(faces.begin(), faces.end(), isSide); }
+
+bool HaloMaker::hasWedge() const {
+  // The outward normals are 120 degrees apart.
+  const auto makeOne = [](const Vec3& a, const Vec3& b) { return std::abs(a.x * b.x + a.y * b.y + 0.5) < kSameWedge; };
+  for (const Vec3& one : faces)
+    for (const Vec3& other : faces)
+      if (isSide(one) && isSide(other) && makeOne(one, other)) return true;
+  return false;
+}
 
 std::vector<Vec3> prismFaces() {
   std::vector<Vec3> faces{{0.0, 0.0, 1.0}, {0.0, 0.0, -1.0}};

@@ -37,6 +37,10 @@ struct HaloMaker {
   /// Whether there are faces across the c axis, and along it.
   bool hasEnds() const;
   bool hasSides() const;
+
+  /// Whether two faces along the c axis make a wedge of 60 degrees, which the light of parhelia and of most arcs of
+  /// columns goes through.
+  bool hasWedge() const;
 };
 
 /// Whether a face with this normal lies across the c axis, or along it.

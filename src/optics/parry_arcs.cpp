@@ -58,6 +58,7 @@ void addParryHalos(HaloForms& forms, const HaloSky& sky, const HaloMaker& maker)
   if (maker.hasEnds()) addParhelicCircle(forms, sky, kFamily);
   if (!maker.hasSides()) return;
   addSubsunAndPillar(forms, sky, kFamily);
+  if (!maker.hasWedge()) return;
   // In by one prism face and out by another, the outward normals at these elevations.
   add("upper suncave Parry arc", false, {through(sky, 90, -30)});
   add("upper sunvex Parry arc", true, {through(sky, 30, 150)});

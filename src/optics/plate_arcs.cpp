@@ -27,13 +27,14 @@ SkyLocus kernArc(const HaloSky& sky, int reflecting, int leaving, double reach) 
   };
 }
 
-void addCircumzenithalCircle(HaloForms& forms, const HaloSky& sky) {
+void addCircumzenithalCircle(HaloForms& forms, const HaloSky& sky, bool hasKernArc) {
   // sin h' = sqrt(n^2 - cos^2 h), for light that has met an upper face.
   const double sine2 = sky.excess() + sky.sine * sky.sine;
   if (!(sky.sine >= 0.0 && sine2 <= 1.0)) return;
   const double elevation = arcsine(std::sqrt(sine2));
   const double reach = mostTurn(portable::cos(elevation), sky.cosine);
   addCurve(forms, {"circumzenithal arc", kFamily, false, followLocus(-reach, reach, levelAt(elevation))});
+  if (!hasKernArc) return;
   std::vector<SkyLine> kern;
   for (const int leaving : {2, 4, 1, 5})
     for (SkyLine& line : followLocus(0.0, 2.0 * kPi, kernArc(sky, 0, leaving, reach))) kern.push_back(std::move(line));
@@ -64,10 +65,10 @@ void addSpots(HaloForms& forms, const HaloSky& sky) {
 void addPlateHalos(HaloForms& forms, const HaloSky& sky, const HaloMaker& maker) {
   if (maker.hasEnds()) addSubsunAndPillar(forms, sky, kFamily);
   if (!maker.hasSides()) return;
-  addSpots(forms, sky);
+  if (maker.hasWedge()) addSpots(forms, sky);
   addParhelicCircle(forms, sky, kFamily);
   if (!maker.hasEnds()) return;
-  addCircumzenithalCircle(forms, sky);
+  addCircumzenithalCircle(forms, sky, maker.hasWedge());
   addCircumhorizontalArc(forms, sky);
 }
 

@@ -2,6 +2,7 @@
 #include "scene/scene_halos.h"
 
 #include <utility>
+#include <variant>
 
 #include "crystal/raypath/stance.h"
 
@@ -24,6 +25,13 @@ HaloFamily familyOf(Stance stance) {
   return HaloFamily::random;
 }
 
+/// Of a rosette, whether a face belongs to its first bullet: next to no light goes in by one bullet and out by another,
+/// and all have the same wedges. Of other crystals any face does.
+bool isOfFirstBullet(const ShapeSettings& shape, const Face& face) {
+  constexpr int kNextBullet = 100;
+  return !std::holds_alternative<RosetteSettings>(shape) || face.number < kNextBullet;
+}
+
 }  // namespace
 
 SceneHalos halosOf(const std::vector<PopulationSettings>& populations) {
@@ -37,7 +45,8 @@ SceneHalos halosOf(const std::vector<PopulationSettings>& populations) {
       continue;
     }
     std::vector<Vec3> faces;
-    for (const Face& face : population.mesh().faces()) faces.push_back(face.normal);
+    for (const Face& face : population.mesh().faces())
+      if (isOfFirstBullet(settings.shape, face)) faces.push_back(face.normal);
     halos.makers.push_back({familyOf(*stance), std::move(faces)});
   }
   return halos;

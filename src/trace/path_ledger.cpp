@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include <glm/geometric.hpp>
 
+#include "crystal/raypath/halo_numbers.h"
 #include "crystal/raypath/halo_paths.h"
 #include "crystal/raypath/path_symmetry.h"
 #include "crystal/raypath/stance.h"
@@ -59,31 +61,53 @@ Vec3 densestAmong(const std::vector<Vec3>& samples) {
   return peak;
 }
 
-/// The names of halos whose patterns take a class of a population's paths.
+/// The names of halos whose patterns take a class of a population's paths, in crystals of that index. Names are those
+/// of ice: elsewhere only light that no wedge bends goes where they say.
 class HaloNames {
  public:
-  HaloNames(const Population& population) {
-    if (population.mesh().faces().size() > kMostPatternFaces) return;
+  HaloNames(const Population& population, double index)
+      : faces_(population.mesh().faces()), isIce_(std::abs(index - kIndexOfIce) < kNearIce) {
+    if (faces_.size() > kMostPatternFaces) return;
     const auto stance = stanceOf(population);
-    std::vector<int> numbers;
-    for (const Face& face : population.mesh().faces()) numbers.push_back(face.number);
-    for (const HaloPath& halo : haloPaths()) {
-      if (!stance || std::ranges::find(halo.stances, *stance) == halo.stances.end()) continue;
-      const PathPattern pattern = parsePathPattern(halo.pattern);
-      const SymmetricPattern own[] = {
-          {&pattern, pathSymmetries(population.mesh(), population.orientation(), pattern.symmetry)}};
-      automata_.emplace_back(halo.name, PathAutomaton(numbers, own));
+    const bool turnsFreely = stance && *stance != Stance::parry && *stance != Stance::lowitz;
+    for (const double turn : turnsOf(population.mesh(), turnsFreely)) {
+      const std::vector<int> numbers = haloNumbers(population.mesh(), turn);
+      for (const HaloPath& halo : haloPaths()) {
+        if (!stance || std::ranges::find(halo.stances, *stance) == halo.stances.end()) continue;
+        const PathPattern pattern = parsePathPattern(halo.pattern);
+        const SymmetricPattern own[] = {
+            {&pattern, pathSymmetries(population.mesh(), population.orientation(), pattern.symmetry)}};
+        automata_.emplace_back(halo.name, PathAutomaton(numbers, own));
+      }
     }
   }
   std::string of(const PathClass& path) const {
     std::string names;
-    if (path.isLong) return names;
+    if (path.isLong || (!isIce_ && isBent(path))) return names;
+    std::vector<std::string_view> all;
     for (const auto& [name, automaton] : automata_)
-      if (automaton.acceptedAfter(path.faces).any()) names.append(names.empty() ? "" : " / ").append(name);
+      if (automaton.acceptedAfter(path.faces).any() && std::ranges::find(all, name) == all.end()) all.push_back(name);
+    for (const std::string_view name : all) names.append(names.empty() ? "" : " / ").append(name);
     return names;
   }
 
  private:
+  static constexpr double kIndexOfIce = 1.31, kNearIce = 0.025;  // of visible light, and what people say for it
+
+  /// Whether light leaves through another face, as the reflections inside show it, than one parallel to its entry.
+  bool isBent(const PathClass& path) const {
+    if (path.faces.size() < 2) return false;
+    Vec3 exit = faces_[path.faces.back()].normal;
+    for (std::size_t i = path.faces.size() - 2; i > 0; --i) {
+      const Vec3& normal = faces_[path.faces[i]].normal;
+      exit -= 2.0 * glm::dot(exit, normal) * normal;
+    }
+    constexpr double kParallel = 1e-6;
+    return glm::length(exit + faces_[path.faces.front()].normal) > kParallel;
+  }
+
+  std::span<const Face> faces_;
+  bool isIce_;
   std::vector<std::pair<std::string_view, PathAutomaton>> automata_;
 };
 
@@ -269,8 +293,8 @@ std::vector<PathLedger::Entry> PathLedger::entries(double wavelength) const {
   const double all = all_.value();
   for (std::size_t p = 0; p < populations_.size(); ++p) {
     const OfPopulation& own = populations_[p];
-    const HaloNames names(cloud_.populations()[p]);
     const double index = cloud_.iceIndex(wavelength, 0);
+    const HaloNames names(cloud_.populations()[p], index);
     for (std::size_t i = 0; i < own.sums.size(); ++i) {
       const Sums& sums = own.sums[i];
       const double share = sums.light.value() / all;

@@ -210,6 +210,28 @@ TEST_CASE("check accepts good scenes and shows every error of bad ones with exit
   CHECK(bad.out == "s.toml: ok\n");
 }
 
+TEST_CASE("check tells what commands would refuse of a scene that is right in itself") {
+  Folder folder;
+  const std::string hollow = "[[population]]\nname = 'h'\ncavity = { depth = 0.4 }\norientation = 'random'\n",
+                    integral = "[trace]\nengine = 'integral'\n";
+  writeFile(folder / "hollow.toml", hollow + integral);
+  const Outcome refused = run(folder, "parhelion check hollow.toml");
+  CHECK(refused.exit == 2);
+  CHECK(refused.out.empty());
+  CHECK(refused.err.find("hollow.toml: error: engine integral: population h") != std::string::npos);
+  // What check says is what the command says.
+  for (const char* command : {"render hollow.toml", "profile hollow.toml", "paths hollow.toml"}) {
+    CAPTURE(command);
+    const Outcome outcome = run(folder, std::string("parhelion ") + command);
+    CHECK(outcome.exit == 2);
+    CHECK(outcome.err.find("engine integral: population h") != std::string::npos);
+  }
+  writeFile(folder / "rays.toml", hollow);
+  CHECK(run(folder, "parhelion check rays.toml").out == "rays.toml: ok\n");
+  writeFile(folder / "prisms.toml", "[[population]]\naspect = 1.0\norientation = 'random'\n" + integral);
+  CHECK(run(folder, "parhelion check prisms.toml").exit == 0);
+}
+
 TEST_CASE("the schema is JSON, and the one in docs is the one printed") {
   Folder folder;
   const Outcome schema = run(folder, "parhelion schema");

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <span>
 #include <string>
+#include <vector>
 
 #include <doctest/doctest.h>
 #include <glm/geometric.hpp>
@@ -109,6 +111,27 @@ TEST_CASE("crystals make only what their faces and their stance let them") {
   CHECK(namesOf(HaloFamily::parry, prismFaces(), 5).count("upper sunvex Parry arc") == 1);
   CHECK(namesOf(HaloFamily::parry, prismFaces(), 50).count("upper sunvex Parry arc") == 0);
   CHECK(namesOf(HaloFamily::lowitz, prismFaces(), 20) == Names{"Lowitz arc"});
+}
+
+TEST_CASE("crystals with square sections make no halos of 60 degree wedges") {
+  const std::vector<Vec3> cube{{0, 0, 1}, {0, 0, -1}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}};
+  const auto namesOf = [&](HaloFamily family, const std::vector<Vec3>& faces) {
+    const HaloMaker maker{family, faces};
+    const HaloForms forms = haloForms(radians(20), kIndex, std::span(&maker, 1));
+    std::set<std::string> names;
+    for (const HaloCurve& curve : forms.curves) names.insert(curve.name);
+    for (const HaloPoint& point : forms.points) names.insert(point.name);
+    return names;
+  };
+  using Names = std::set<std::string>;
+  CHECK(namesOf(HaloFamily::plates, cube) == Names{"subsun", "parhelic circle", "circumzenithal arc"});
+  for (const char* of60 : {"upper tangent arc", "lower tangent arc", "Wegener arc", "subhelic arc"}) {
+    CHECK_FALSE(namesOf(HaloFamily::columns, cube).contains(of60));
+    CHECK(namesOf(HaloFamily::columns, prismFaces()).contains(of60));
+  }
+  CHECK(namesOf(HaloFamily::columns, cube).contains("supralateral arc"));
+  for (const std::string& name : namesOf(HaloFamily::parry, cube)) CHECK(name.find("Parry") == std::string::npos);
+  CHECK(namesOf(HaloFamily::plates, prismFaces()).contains("parhelion"));
 }
 
 TEST_CASE("parhelia and subparhelia lie at Bravais' azimuth, and there are none with a sun above 60.75 degrees") {

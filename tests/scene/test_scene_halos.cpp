@@ -57,6 +57,8 @@ TEST_CASE("the faces of a population's halos are those of its crystals") {
   CHECK(cut.faces.size() == 13);
   CHECK(!cut.hasSides());
   CHECK(cut.hasEnds());
+  // A bullet has an end, six sides and a pyramid.
+  CHECK(halosOfPopulation("shape = \"rosette\"").makers[0].faces.size() == 13);
 }
 
 TEST_CASE("populations without weight make no halos, and those without a name for theirs are told") {

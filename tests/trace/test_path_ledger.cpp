@@ -6,6 +6,8 @@
 
 #include <doctest/doctest.h>
 
+#include "crystal/convex_body.h"
+#include "crystal/objs.h"
 #include "crystals.h"
 #include "math/rotation.h"
 #include "trace/path_ledger.h"
@@ -113,6 +115,46 @@ TEST_CASE("plates' paths have their names, places and least deviations") {
   CHECK(degrees(*entryOf(thinEntries, "3-2-1-5").leastDeviation) == doctest::Approx(21.839).epsilon(1e-4));
   CHECK_FALSE(entryOf(entries, "3-2-5").leastDeviation);
   CHECK_FALSE(entryOf(entries, "1").leastDeviation);
+}
+
+TEST_CASE("names of halos follow where faces lie and how ice bends light, not the numbers of faces") {
+  const AxisOrientation flat{Normal{0.0, radians(0.2)}};
+  const auto namesIn = [&](const CrystalMesh& mesh, double index) {
+    PopulationSettings population;
+    population.shape = meshed(mesh);
+    population.orientation = flat;
+    std::map<std::string, std::string> names;
+    PathLedgerScope scope;
+    scope.symmetry = PathSymmetry::none;
+    const Cloud cloud = simpleCloud({population}, radians(20.0), index);
+    for (const auto& entry : ledgerOf(cloud, {.rays = 60'000}, scope).entries(kReference))
+      names[entry.path] = entry.name;
+    return names;
+  };
+  const auto has = [](const std::string& name, const char* part) { return name.find(part) != std::string::npos; };
+  // A hexagonal plate, turned by 10 degrees about c, whose upper face is 8, the lower 7 and the sides from 1 to 6.
+  std::vector<FacePlane> plate{{8, Vec3(0, 0, 1), 0.3}, {7, Vec3(0, 0, -1), 0.3}}, box = plate;
+  for (int k = 0; k < 6; ++k) {
+    const double azimuth = radians(10.0 + 60.0 * k);
+    plate.push_back({k + 1, Vec3(std::cos(azimuth), std::sin(azimuth), 0.0), 0.8});
+  }
+  for (int k = 0; k < 4; ++k) box.push_back({k + 3, Vec3(std::cos(0.5 * kPi * k), std::sin(0.5 * kPi * k), 0.0), 0.8});
+  auto hexagon = namesIn(convexBody(plate), 1.31);
+  CHECK(has(hexagon["1-3"], "parhelion"));
+  CHECK(has(hexagon["8"], "subsun"));
+  CHECK(has(hexagon["8-1"], "circumzenithal arc"));
+  CHECK_FALSE(has(hexagon["1-4"], "parhelion"));
+  // Square plates have no wedge of 60 degrees, and all of their sides make the circumzenithal arc.
+  auto square = namesIn(convexBody(box), 1.31);
+  for (const auto& [path, name] : square) CHECK_MESSAGE(!has(name, "parhelion"), path);
+  CHECK(has(square["8-3"], "circumzenithal arc"));
+  CHECK(has(square["8-4"], "circumzenithal arc"));
+  CHECK(has(square["8"], "subsun"));
+  // What no wedge bends is where it is in ice.
+  auto salt = namesIn(convexBody(plate), 1.4);
+  CHECK(salt["1-3"].empty());
+  CHECK(has(salt["8"], "subsun"));
+  CHECK(has(salt["8-1-2-7"], "120° parhelion"));
 }
 
 TEST_CASE("a region of the sky has its own shares, and the brightest of its rays lights it") {
