@@ -49,14 +49,6 @@ std::string validUnsharp(const std::string& text) {
   return good ? "" : expectedNot("AMOUNT,RADIUS, for one 3,20 (radius 0.1 to 4096 pixels)", text);
 }
 
-std::string validGlare(const std::string& text) {
-  return text == "eye" || text == "lens" || text == "none" ? "" : expectedNot("eye, lens or none", text);
-}
-
-std::string validBits(const std::string& text) {
-  return text == "8" || text == "16" ? "" : expectedNot("8 or 16", text);
-}
-
 void refuse(bool mistake, const char* option, const char* reason) {
   if (mistake) throw CLI::ValidationError(option, reason);
 }
@@ -100,7 +92,7 @@ void addFilters(CLI::App& command, ViewOptions& o) {
           "Spread linear light as an eye does, so that the sun dazzles, or as a lens does that is stopped down, so "
           "that it is a star: eye, lens or none; none when left out")
       ->type_name("eye|lens|none")
-      ->check(CLI::Validator(validGlare, ""));
+      ->check(oneOf({"eye", "lens", "none"}));
   command.add_option("--blades", o.blades, "Of --glare lens: edges of the aperture; 6 when left out")
       ->type_name("N")
       ->transform(wholeNumber(3, 30));
@@ -109,7 +101,7 @@ void addFilters(CLI::App& command, ViewOptions& o) {
       ->transform(number(0.01, 1000.0));
   command.add_option("--bits", o.bits, "Bits of each component, 8 or 16; 8 when left out")
       ->type_name("8|16")
-      ->check(CLI::Validator(validBits, ""));
+      ->check(oneOf({"8", "16"}));
   command.add_option("--mask", o.mask, "White where the input shows sky, for --profile and --red-minus-blue")
       ->type_name("FILE");
 }

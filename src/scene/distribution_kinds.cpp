@@ -213,11 +213,11 @@ Json Spread::schema() const { return spreadSyntax().schema(); }
 
 bool Length::read(const Value& in, LengthDistribution& out) const {
   const Syntax<LengthDistribution> syntax{
-      isAngle ? "degrees" : "the same for all crystals", range, range, {0.0, 1e4}, isAngle ? radians(1.0) : 1.0};
-  if (in.isNumber() && !in.numberIn(range)) return in.mustBe("a number " + range.text() + (isAngle ? " degrees" : ""));
+      isAngle() ? "degrees" : "the same for all crystals", range, range, {0.0, 1e4}, isAngle() ? radians(1.0) : 1.0};
+  if (in.isNumber() && !in.numberIn(range)) return in.mustBe(numberText(range, unit));
   if (!syntax.read(in, out)) return false;
   if (auto* lognormal = std::get_if<LogNormal>(&out)) {
-    if (isAngle) lognormal->sigma /= radians(1.0);  // it is of the logarithm, which has no unit
+    if (isAngle()) lognormal->sigma /= radians(1.0);  // it is of the logarithm, which has no unit
     if (!(lognormal->median > 0.0)) return in.reject("the median of a lognormal distribution must be above 0");
   }
   return true;
@@ -226,7 +226,7 @@ bool Length::read(const Value& in, LengthDistribution& out) const {
 Json Length::schema() const { return Syntax<LengthDistribution>{"", range, range, {0.0, 1e4}}.schema(); }
 
 Json Length::write(const LengthDistribution& value) const {
-  if (isAngle) return written(value, [](double angle) { return roundToTwelveDigits(degrees(angle)); });
+  if (isAngle()) return written(value, [](double angle) { return roundToTwelveDigits(degrees(angle)); });
   return written(value, [](double x) { return x; });
 }
 

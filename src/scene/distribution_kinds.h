@@ -55,14 +55,18 @@ struct Spread {
   Json write(const AngleDistribution&) const { return {}; }
 };
 
-/// A length, a share or an angle (degrees) of a crystal: a number or a distribution with its mean.
+/// A length, a share or an angle of a crystal: a number or a distribution with its mean. In this unit, where it has
+/// one; degrees are radians in the settings.
 struct Length {
   Range range;
-  bool isAngle = false;
+  std::string_view unit = {};
 
   bool read(const Value& in, LengthDistribution& out) const;
   Json schema() const;
   Json write(const LengthDistribution& value) const;
+
+ private:
+  bool isAngle() const { return unit == "degrees"; }
 };
 
 /// The aspect ratio: a number or a distribution. It fills the member `aspect` of

@@ -44,9 +44,13 @@ bool Text::read(const Value& in, std::string& out) const {
   return true;
 }
 
+std::string numberText(const Range& range, std::string_view unit) {
+  return "a number " + range.text() + (unit.empty() ? "" : " " + std::string(unit));
+}
+
 bool Number::read(const Value& in, double& out) const {
   const auto value = in.numberIn(range);
-  if (!value) return in.mustBe(std::string("a number ").append(range.text()));
+  if (!value) return in.mustBe(numberText(range, unit));
   out = *value;
   return true;
 }
@@ -60,7 +64,7 @@ bool WholeNumber::read(const Value& in, int& out) const {
 
 bool Angle::read(const Value& in, double& out) const {
   const auto value = in.numberIn(degreesRange);
-  if (!value) return in.mustBe(std::string("a number ").append(degreesRange.text()) + " degrees");
+  if (!value) return in.mustBe(numberText(degreesRange, "degrees"));
   out = radians(*value);
   return true;
 }

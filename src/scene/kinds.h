@@ -39,9 +39,13 @@ struct Text {
   Json write(const std::string& value) const { return value; }
 };
 
-/// A number without a unit.
+/// "a number from 0 to 90 degrees".
+std::string numberText(const Range& range, std::string_view unit);
+
+/// A number, in this unit where it has one: the settings have the same.
 struct Number {
   Range range;
+  std::string_view unit = {};
 
   bool read(const Value& in, double& out) const;
   Json schema() const { return numberSchema(range); }

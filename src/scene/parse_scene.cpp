@@ -3,8 +3,10 @@
 
 #include <toml++/toml.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
@@ -28,16 +30,41 @@ namespace {
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
+bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+
+/// The word at a place of the text that stands where a value is due; empty where there is none.
+std::string_view wordForValue(std::string_view text, const Place& place) {
+  for (int line = 1; line < place.line; ++line) text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
+  const std::string_view line = text.substr(0, text.find('\n'));
+  const auto at = static_cast<std::size_t>(std::max(place.column - 1, 0));
+  if (at >= line.size() || !isLetter(line[at])) return {};
+  const std::size_t before = line.substr(0, at).find_last_not_of(" \t");
+  if (before == std::string_view::npos || std::string_view("=,[").find(line[before]) == std::string_view::npos)
+    return {};
+  return line.substr(at, line.find_first_of(" \t\r,]}#", at) - at);
+}
+
+/// What may have been meant by a text that is no TOML.
+std::string hintForText(std::string_view text, std::string_view fileName, const Place& place) {
+  const std::string kind = std::filesystem::path(fileName).extension().string();
+  if (!kind.empty() && kind != ".toml")
+    return "a scene is a TOML file; where this is a mesh or a table for one, a key of the scene names it";
+  const std::string_view word = wordForValue(text, place);
+  return word.empty() ? "" : "text stands in quotation marks: \"" + std::string(word) + '"';
+}
+
 toml::table parseToml(std::string_view text, std::string_view fileName, Complaints& complaints) {
   if (const auto problem = findTextProblem(text)) {
-    complaints.add({0, problem->line, problem->column, problem->line, problem->column + 1}, problem->message,
-                   problem->hint);
+    const Place place{0, problem->line, problem->column, problem->line, problem->column + 1};
+    const std::string hint = hintForText(text, fileName, place);
+    complaints.add(place, problem->message, hint.empty() ? problem->hint : hint);
     complaints.throwIfAny();
   }
   try {
     return toml::parse(text, fileName);
   } catch (const toml::parse_error& e) {
-    complaints.add(placeOf(e.source(), complaints), std::string("not TOML: ").append(e.description()));
+    const Place place = placeOf(e.source(), complaints);
+    complaints.add(place, std::string("not TOML: ").append(e.description()), hintForText(text, fileName, place));
   }
   complaints.throwIfAny();
   return {};

@@ -31,7 +31,7 @@ template <class Visitor>
 void visitKeys(Visitor& v, SpectrumKeys& s) {
   v.key("wavelengths", kinds::Wavelengths{}, s.wavelengths, "Spectral lines, nm.");
   v.key("weights", kinds::Weights{}, s.weights, "Energies of the lines, in any unit; all alike when left out.");
-  v.key("blackbody", kinds::Optional{kinds::Number{{500, 1e6}}}, s.blackbody,
+  v.key("blackbody", kinds::Optional{kinds::Number{{500, 1e6}, "K"}}, s.blackbody,
         "Temperature of a black body, kelvin; instead of lines.");
 }
 
@@ -74,7 +74,7 @@ void visitKeys(Visitor& v, AerosolSettings& a) {
   v.key("alpha", kinds::Number{{-1, 4}}, a.alpha, "The depth falls with this power of the wavelength.");
   v.key("albedo", kinds::AerosolAlbedo{}, a.albedo, "Share of the light it takes from a beam that it scatters.");
   v.key("g", kinds::Number{{-0.95, 0.95}}, a.g, "Mean cosine of the angle by which it scatters.");
-  v.key("height", kinds::Number{{100, 20000}}, a.height, "Height in which its density falls to 1/e, m.");
+  v.key("height", kinds::Number{{100, 20000}, "m"}, a.height, "Height in which its density falls to 1/e, m.");
 }
 
 /// The ground as a table.
@@ -91,7 +91,7 @@ template <class Visitor>
 void visitKeys(Visitor& v, SkySettings& sky) {
   v.key("air", kinds::Flag{}, sky.air,
         "Show the sky behind the halo, and the ground, by the light of the air: pictures are in absolute units then.");
-  v.key("ozone", kinds::Number{{0, 1000}}, sky.ozone, "Column of ozone, Dobson units.");
+  v.key("ozone", kinds::Number{{0, 1000}, "Dobson units"}, sky.ozone, "Column of ozone, Dobson units.");
   v.key("aerosol", kinds::Aerosol{}, sky.aerosol,
         "Fine particles in the air: a table, or a number, which is its 'beta'.");
   v.key("ground", kinds::Ground{}, sky.ground,
@@ -101,7 +101,8 @@ void visitKeys(Visitor& v, SkySettings& sky) {
 
 template <class Visitor>
 void visitKeys(Visitor& v, ObserverSettings& observer) {
-  v.key("altitude", kinds::Number{{0, 50000}}, observer.altitude, "Of the observer, in the air, m above sea level.");
+  v.key("altitude", kinds::Number{{0, 50000}, "m"}, observer.altitude,
+        "Of the observer, in the air, m above sea level.");
 }
 
 /// A [[population]] as its keys say it; population_kind.cpp makes PopulationSettings of it.
@@ -184,7 +185,7 @@ void visitKeys(Visitor& v, PopulationKeys& p) {
       "roll", kinds::Optional{kinds::Spread{}}, p.roll,
       "Spread of the rotation about the c axis (lowitz: about its horizontal axis), degrees. Left out: none for parry, "
       "free for the others.");
-  v.key("size", kinds::Optional{kinds::Length{{kSmallestCrystal, kLargestCrystal}}}, p.size,
+  v.key("size", kinds::Optional{kinds::Length{{kSmallestCrystal, kLargestCrystal}, "µm"}}, p.size,
         "The largest distance between two corners of a crystal, micrometres: a number or a distribution. For "
         "'absorption' of [ice] and for 'diffraction'.");
   v.key("distortion", kinds::Angle{{0, 30}}, p.distortion,
@@ -276,13 +277,13 @@ void visitKeys(Visitor& v, ReconSettings& r) {
       "method", kinds::Choice<ReconSettings>{}, r,
       "How scattered hits become an image: \"adaptive\" filters, \"none\" (the plain radiance), or one of the methods "
       "of the literature; the other keys are settings of those.");
-  v.key("sigma", kinds::MemberOf(kinds::Optional{kinds::Number{kPixels}}, &GaussianSettings::sigma), r,
+  v.key("sigma", kinds::MemberOf(kinds::Optional{kinds::Number{kPixels, "pixels"}}, &GaussianSettings::sigma), r,
         "gaussian: standard deviation of the filter, pixels. Left out: by the number of hits.");
   v.key("scales", kinds::MemberOf(kinds::WithoutDefault{kinds::WholeNumber{1, 12}}, &GlassnerSettings::scales), r,
         "glassner: how many Gaussians of standard deviation 1, 2, 4, ... pixels are averaged; 6 when left out.");
   v.key("period",
-        kinds::MemberOf(kinds::Optional{kinds::Number{kPixels}}, &MarvastiSettings::period, &VoronoiSettings::period,
-                        &ActSettings::period),
+        kinds::MemberOf(kinds::Optional{kinds::Number{kPixels, "pixels"}}, &MarvastiSettings::period,
+                        &VoronoiSettings::period, &ActSettings::period),
         r, "marvasti, voronoi, act: Ts, pixels; frequencies up to 1/(2 Ts) pass. Left out: by the number of hits.");
   v.key("reading",
         kinds::MemberOf(kinds::WithoutDefault{kinds::Choice<HitReading>{}}, &VoronoiSettings::reading,
@@ -338,7 +339,7 @@ void visitKeys(Visitor& v, SlabKeys& slab) {
         "How often light may be scattered: 1, 2 and so on, or \"all\" until it has left the cloud.");
   v.key("layer", kinds::SlabLayers{}, slab.layers,
         "Layers from top to bottom, each with its own populations and depth, in the place of one depth for all.");
-  v.key("altitude", kinds::Optional{kinds::Number{{0, 50000}}}, slab.altitude,
+  v.key("altitude", kinds::Optional{kinds::Number{{0, 50000}, "m"}}, slab.altitude,
         "Of the cloud, where there is air, m above sea level. Left out: crystals float around the observer.");
 }
 

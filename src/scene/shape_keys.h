@@ -10,7 +10,7 @@ namespace parhelion {
 template <class Visitor>
 void visitKeys(Visitor& v, PyramidEndKeys& end) {
   v.key("height", kinds::Length{{0, 1}}, end.height, "Its height as a share of its full height.");
-  v.key("slope", kinds::Optional{kinds::Length{{0, 90, true, true}, true}}, end.slope,
+  v.key("slope", kinds::Optional{kinds::Length{{0, 90, true, true}, "degrees"}}, end.slope,
         "Angle between its faces and the c axis, degrees.");
   v.key("miller", kinds::Optional{kinds::Miller{}}, end.miller,
         "Miller indices [h, 0, -h, l] of its faces, in the place of a slope.");

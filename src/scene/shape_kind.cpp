@@ -158,12 +158,12 @@ Json PyramidEnd::schema() const {
 bool PyramidSlope::read(const Value& in, PopulationShape& out) const {
   if (auto* rosette = std::get_if<RosetteSettings>(&out)) return Angle{kSlopeDegrees}.read(in, rosette->slope);
   LengthDistribution slope;
-  if (!Length{kSlopeDegrees, true}.read(in, slope)) return false;
+  if (!Length{kSlopeDegrees, "degrees"}.read(in, slope)) return false;
   if (auto* pyramid = std::get_if<PyramidSettings>(&out)) setLength(*pyramid, {ShapeLength::slope, {}, slope});
   return true;
 }
 
-Json PyramidSlope::schema() const { return Length{kSlopeDegrees, true}.schema(); }
+Json PyramidSlope::schema() const { return Length{kSlopeDegrees, "degrees"}.schema(); }
 
 namespace {
 

@@ -73,7 +73,7 @@ TEST_CASE("wavelengths are visible and listed once") {
   CHECK(wrong("[sun]\nspectrum = { wavelengths = [450], blackbody = 3000 }") ==
         Lines{"2:28 a black body has no 'wavelengths'"});
   CHECK(wrong("[sun]\nspectrum = { blackbody = 20 }") ==
-        Lines{"2:26 'blackbody' must be a number from 500 to 1000000, not 20"});
+        Lines{"2:26 'blackbody' must be a number from 500 to 1000000 K, not 20"});
   CHECK(wrong("[sun]\nspectrum = { blackbdy = 3000 }") == Lines{"2:14 unknown key 'blackbdy' in the spectrum"});
   CHECK(wrong("[sun]\nspectrum = 100").size() == 1);
 }
@@ -193,6 +193,26 @@ TEST_CASE("a syntax error has the same form as any other") {
   CHECK(errors[0].line == 2);
   CHECK(errors[0].column == 13);
   CHECK(errors[0].message.starts_with("not TOML: "));
+  CHECK(errors[0].hint.empty());
+}
+
+TEST_CASE("text without quotation marks is told to have some, and a file of another kind what a scene is") {
+  const auto hintOf = [](const std::string& text, const std::string& name) -> std::string {
+    try {
+      parseScene(text, name, std::span<const std::string>{});
+    } catch (const SceneError& error) {
+      return error.diagnostics().at(0).hint;
+    }
+    return "none was wrong";
+  };
+  CHECK(hintOf("[cloud]\norders = all\n", "x.toml") == "text stands in quotation marks: \"all\"");
+  CHECK(hintOf("sun = { spectrum = sun-am1.5, elevation = 3 }\n", "x.toml") ==
+        "text stands in quotation marks: \"sun-am1.5\"");
+  CHECK(hintOf("elevation 20\n", "x.toml").empty());
+  const std::string isTable =
+      "a scene is a TOML file; where this is a mesh or a table for one, a key of the scene names it";
+  CHECK(hintOf("a,b\n1,2\n", "x.csv") == isTable);
+  CHECK(hintOf("v 0 \xC2\xB0 1\n", "sheath.obj") == isTable);
 }
 
 TEST_CASE("a file that does not exist is a scene error, one that cannot be read is not") {

@@ -52,12 +52,12 @@ TEST_CASE("air that cannot be is told in one error each") {
   CHECK(linesWith("sky.aerosol = { beta = -1 }\nsky.air = true") ==
         std::vector<std::string>{"1:24 'beta' must be a number from 0 to 10, not -1"});
   CHECK(linesWith("sky.ozone = -300\nsky.air = true") ==
-        std::vector<std::string>{"1:13 'ozone' must be a number from 0 to 1000, not -300"});
+        std::vector<std::string>{"1:13 'ozone' must be a number from 0 to 1000 Dobson units, not -300"});
   CHECK(linesWith("sky.ground = { albedo = 2 }\nsky.air = true") ==
         std::vector<std::string>{"1:25 'albedo' must be a number from 0 to 1, not 2"});
   CHECK(errorsOf("sky.ground = 'snw'\nsky.air = true\n[[population]]").at(0).hint.find("did you mean 'snow'?") == 0);
   CHECK(linesWith("observer.altitude = -5\nsky.air = true") ==
-        std::vector<std::string>{"1:21 'altitude' must be a number from 0 to 50000, not -5"});
+        std::vector<std::string>{"1:21 'altitude' must be a number from 0 to 50000 m, not -5"});
   CHECK(linesWith("sky.air = true\nsun.spectrum = 'D65'") ==
         std::vector<std::string>{"2:16 with 'sky.air' the sun has a spectrum of its own"});
   CHECK(linesWith("sky.air = true\nsun.spectrum = 'sun'").empty());
